@@ -1,0 +1,155 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+/// The field table of a material is the single source of its parameter names, units and bounds.
+///
+/// A material is `template <class T> struct M` with a `name`, members of type T, a constexpr
+/// `fields()` that returns an array of Field, and, where it owns lists of parts, a constexpr
+/// `parts()` that returns a tuple of PartList. A part is such a struct too, without a name. Packing
+/// for a solver, the JSON keys, `hada materials`, the docs page and the contract tests walk these.
+namespace hada {
+
+/// How a solver sees a field.
+enum class Scale {
+  linear,     // as it is, between its bounds
+  log,        // by its logarithm, between its bounds; a value of 0 packs as 1e-20 of the high bound
+  half_turn,  // a direction modulo pi: free in the solver, wrapped into [0, pi) by `wrapped`
+};
+
+template <class Owner, class T>
+struct Field {
+  std::string_view name;
+  T Owner::*member;
+  double low;   // the smallest value that is meaningful
+  double high;  // the largest
+  Scale scale;
+  std::string_view unit;     // "mm", "rad", "mm^4"; empty for a plain number
+  std::string_view meaning;  // a few words for a person
+};
+
+template <class Owner, class Part>
+struct PartList {
+  std::string_view name;
+  std::vector<Part> Owner::*member;
+  int fewest;
+  int most;
+};
+
+template <class M>
+concept HasParts = requires {
+  M::parts();
+};
+
+/// Calls `visit(path, field, value)` for every field, parts in order; `path` is like
+/// "components[1].long_mm", `value` a reference into `material` (const if that is).
+template <class M, class Visit>
+void visit_fields(M& material, const Visit& visit, const std::string& prefix = "") {
+  using Plain = std::remove_const_t<M>;
+  if constexpr (HasParts<Plain>) {
+    const auto visit_list = [&](const auto& list) {
+      auto& parts = material.*(list.member);
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        visit_fields(parts[i], visit,
+                     prefix + std::string(list.name) + "[" + std::to_string(i) + "].");
+      }
+    };
+    std::apply([&](const auto&... lists) { (visit_list(lists), ...); }, Plain::parts());
+  }
+  for (const auto& field : Plain::fields()) {
+    visit(prefix + std::string(field.name), field, material.*(field.member));
+  }
+}
+
+/// A material over another scalar, its lists as long as those of `shape`, its values the defaults.
+template <class U, template <class> class M>
+M<U> shaped_like(const M<double>& shape) {
+  M<U> result;
+  if constexpr (HasParts<M<double>>) {
+    constexpr auto from = M<double>::parts();
+    constexpr auto to = M<U>::parts();
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((result.*(std::get<I>(to).member)).resize((shape.*(std::get<I>(from).member)).size()), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<decltype(from)>>{});
+  }
+  return result;
+}
+
+/// Where the solver's copy of a field may lie; infinite for a half turn.
+struct SolverBounds {
+  double low;
+  double high;
+};
+
+template <class Owner, class T>
+double log_low(const Field<Owner, T>& field) {
+  return std::log(std::max(field.low, 1e-20 * field.high));
+}
+
+template <class Owner, class T>
+SolverBounds solver_bounds(const Field<Owner, T>& field) {
+  if (field.scale == Scale::log) return {log_low(field), std::log(field.high)};
+  if (field.scale == Scale::half_turn) return {-HUGE_VAL, HUGE_VAL};
+  return {field.low, field.high};
+}
+
+/// The fields as the solver sees them, in the order of `visit_fields`.
+template <class M>
+std::vector<double> pack(const M& material) {
+  std::vector<double> packed;
+  visit_fields(material, [&](const std::string&, const auto& field, const double& value) {
+    packed.push_back(field.scale == Scale::log
+                         ? std::max(std::log(std::max(value, 1e-300)), log_low(field))
+                         : value);
+  });
+  return packed;
+}
+
+/// The material whose `pack` is `packed`, with the lists of `shape`. U is double or a Jet.
+template <class U, template <class> class M>
+M<U> unpack(const M<double>& shape, const U* packed) {
+  using std::exp;
+  M<U> material = shaped_like<U>(shape);
+  visit_fields(material, [&](const std::string&, const auto& field, U& value) {
+    value = field.scale == Scale::log ? exp(*packed) : *packed;
+    ++packed;
+  });
+  return material;
+}
+
+/// Bounds of every packed field, in the order of `pack`.
+template <class M>
+std::vector<SolverBounds> solver_bounds_of(const M& material) {
+  std::vector<SolverBounds> bounds;
+  visit_fields(material, [&](const std::string&, const auto& field, const double&) {
+    bounds.push_back(solver_bounds(field));
+  });
+  return bounds;
+}
+
+/// `angle` modulo pi, in [0, pi).
+inline double half_turn(double angle) {
+  const double rest = std::fmod(angle, std::numbers::pi);
+  const double wrapped = rest < 0.0 ? rest + std::numbers::pi : rest;
+  return wrapped < std::numbers::pi ? wrapped : 0.0;
+}
+
+/// The same material with every half-turn field wrapped into [0, pi).
+template <class M>
+M wrapped(M material) {
+  visit_fields(material, [](const std::string&, const auto& field, double& value) {
+    if (field.scale == Scale::half_turn) value = half_turn(value);
+  });
+  return material;
+}
+
+}  // namespace hada

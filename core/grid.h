@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hada {
+
+/// A rectangle of values addressed by (row, col), row 0 at the top, rows stored one after another.
+template <class T>
+class Grid {
+ public:
+  Grid() = default;
+  Grid(int rows, int cols, const T& value = T{})
+      : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), value) {
+    assert(rows >= 0 && cols >= 0);
+  }
+
+  int rows() const { return rows_; }
+  int cols() const { return cols_; }
+  std::size_t size() const { return values_.size(); }
+  bool empty() const { return values_.empty(); }
+  bool contains(int row, int col) const {
+    return row >= 0 && row < rows_ && col >= 0 && col < cols_;
+  }
+  template <class U>
+  bool same_size(const Grid<U>& other) const {
+    return rows_ == other.rows() && cols_ == other.cols();
+  }
+
+  T& operator()(int row, int col) {
+    assert(contains(row, col));
+    return values_[std::size_t(row) * std::size_t(cols_) + std::size_t(col)];
+  }
+  const T& operator()(int row, int col) const {
+    assert(contains(row, col));
+    return values_[std::size_t(row) * std::size_t(cols_) + std::size_t(col)];
+  }
+  T& operator[](std::size_t i) { return values_[i]; }
+  const T& operator[](std::size_t i) const { return values_[i]; }
+
+  std::span<T> row(int row) {
+    return {values_.data() + std::size_t(row) * std::size_t(cols_), std::size_t(cols_)};
+  }
+  std::span<const T> row(int row) const {
+    return {values_.data() + std::size_t(row) * std::size_t(cols_), std::size_t(cols_)};
+  }
+  T* data() { return values_.data(); }
+  const T* data() const { return values_.data(); }
+  auto begin() { return values_.begin(); }
+  auto end() { return values_.end(); }
+  auto begin() const { return values_.begin(); }
+  auto end() const { return values_.end(); }
+
+  bool operator==(const Grid&) const = default;
+
+ private:
+  int rows_ = 0;
+  int cols_ = 0;
+  std::vector<T> values_;
+};
+
+/// 1 where a pixel counts, 0 where it has no meaning and must not be read.
+using Mask = Grid<std::uint8_t>;
+
+/// The pixels of `grid` in the half-open rectangle of `rows` x `cols` pixels at (row, col).
+template <class T>
+Grid<T> crop(const Grid<T>& grid, int row, int col, int rows, int cols) {
+  assert(row >= 0 && col >= 0 && row + rows <= grid.rows() && col + cols <= grid.cols());
+  Grid<T> part(rows, cols);
+  for (int r = 0; r < rows; ++r) {
+    const auto source = grid.row(row + r).subspan(std::size_t(col), std::size_t(cols));
+    std::copy(source.begin(), source.end(), part.row(r).begin());
+  }
+  return part;
+}
+
+}  // namespace hada

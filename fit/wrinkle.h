@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/surface.h"
+#include "fit/solve.h"
+#include "measure/spectrum.h"
+#include "synth/wrinkle.h"
+
+namespace hada {
+
+struct WrinkleFitOptions {
+  int components = 0;       // how many noise functions; 0: chosen by BIC
+  int most_components = 4;  // the largest number that BIC may choose
+  int starts = 8;           // at least 6
+};
+
+/// The wrinkle noise whose spectrum agrees best with that of the height of `surface`.
+///
+/// Whittle likelihood over cells of the tapered periodogram, started from its rings and sectors,
+/// bounded, the best of several starts; sigma from the Fisher information.
+///
+/// throws  Error if the surface has no height, or its mask is smaller than 32 x 32 pixels
+///
+/// Source: Kiso et al., section 5.2 (rings and sectors as starts); Whittle, Ark. Mat. 2 (1953).
+Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options = {});
+
+}  // namespace hada

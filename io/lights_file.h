@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/light_stack.h"
+#include "core/sphere.h"
+
+namespace hada {
+
+/// Lights as they are kept in a file (`"hada": "lights/1"`), with the spheres they were read from.
+struct LightsFile {
+  std::vector<Light> lights;
+  std::vector<Sphere> spheres;
+  std::string encoding;  // of the pictures they were found in, "linear" or "srgb"; empty: not said
+};
+
+/// throws  Error naming the file and the key for anything that is not a lights file: unknown or
+///         missing keys, other schema, a direction that is not finite or has no length
+LightsFile read_lights(const std::filesystem::path& path);
+
+/// The text of a lights file: strengths as one number where the channels are equal, else [r, g, b].
+std::string lights_text(const LightsFile& file);
+
+}  // namespace hada

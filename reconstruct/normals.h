@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/light_stack.h"
+#include "core/surface.h"
+
+namespace hada {
+
+/// What the pictures say about orientation and reflectance, pixel by pixel.
+struct Orientation {
+  NormalMap normals;         // unit length, z > 0
+  Image albedo;              // linear, the planes of the pictures
+  Mask mask;                 // the stack's mask without the pixels that could not be solved
+  Grid<float> normal_sigma;  // radians, root mean square of the two tangent axes
+  double noise = 0.0;        // standard deviation of one grey sample, estimated off the residuals
+  double relighting_error =
+      0.0;                 // root mean square of picture minus prediction over that of picture
+  double condition = 0.0;  // of the matrix of light directions; 1 is ideal
+};
+
+/// Normals and albedo by least squares: rho = |N^+ I|, n = N^+ I / rho for the lit samples.
+///
+/// Grey values are the luminance of the pictures with the strength of each light divided out. The
+/// sigma is the noise of the samples (pooled residuals) and of the lights, through the same N^+.
+///
+/// returns  maps of the size of the stack; pixels with fewer than three lit samples, with lit
+/// lights
+///          close to one plane or with a normal turned away (z <= 0) leave the mask
+/// throws   Error if there are fewer than three lights, or if all lights lie near one plane
+///
+/// Source: Woodham, Optical Engineering 19 (1980); Kiso et al., section 4.
+Orientation least_squares_normals(const LightStack& stack);
+
+}  // namespace hada

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/light_stack.h"
+#include "core/surface.h"
+#include "reconstruct/level.h"
+#include "reconstruct/normals.h"
+
+namespace hada {
+
+struct ReconstructOptions {
+  Levelling levelling = Levelling::plane;
+};
+
+/// A surface, and what a person should know of how it came about.
+struct Reconstruction {
+  Surface surface;     // cropped to the bounding box of the mask; offset_px says where that lies
+  double noise = 0.0;  // of one grey sample, in units of the largest sample value
+  double relighting_error = 0.0;     // root mean square, relative
+  double condition = 0.0;            // of the light directions
+  std::vector<std::string> remarks;  // plain sentences: what is poor, and what would help
+};
+
+/// The surface that explains the pictures: normals, albedo, height and the sigma of each.
+///
+/// throws  Error if the mask is empty, or as `least_squares_normals` does
+Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& options = {});
+
+}  // namespace hada

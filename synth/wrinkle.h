@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/field.h"
+
+namespace hada {
+
+/// One noise function of a wrinkled sheet: white noise under an elliptic, oriented Gaussian kernel.
+template <class T = double>
+struct WrinkleComponent {
+  T amplitude_mm{0.1};
+  T long_mm{4.0};
+  T short_mm{2.0};
+  T angle_rad{0.0};
+
+  static constexpr auto fields() {
+    using F = Field<WrinkleComponent, T>;
+    return std::array{
+        F{"amplitude_mm", &WrinkleComponent::amplitude_mm, 1e-6, 100.0, Scale::log, "mm",
+          "standard deviation of the height"},
+        F{"long_mm", &WrinkleComponent::long_mm, 1e-3, 1000.0, Scale::log, "mm",
+          "standard deviation of the kernel along its long axis"},
+        F{"short_mm", &WrinkleComponent::short_mm, 1e-3, 1000.0, Scale::log, "mm",
+          "standard deviation of the kernel across its long axis"},
+        F{"angle_rad", &WrinkleComponent::angle_rad, 0.0, std::numbers::pi, Scale::half_turn, "rad",
+          "direction of the long axis, counter-clockwise from +x, modulo pi"},
+    };
+  }
+};
+
+/// The wrinkles of a sheet of paper: a sum of independent oriented noise functions.
+///
+/// h(x) = sum_k a_k (G_k * w_k)(x), w_k white Gaussian noise, G_k a Gaussian ellipse of unit
+/// L2 norm. Source: Kiso, Mao, Toyoura, section 3 (kernel as restored in docs/methods.md).
+template <class T = double>
+struct Wrinkle {
+  static constexpr std::string_view name = "wrinkle";
+  static constexpr std::string_view summary =
+      "wrinkles of paper: oriented Gaussian noise functions";
+
+  std::vector<WrinkleComponent<T>> components{WrinkleComponent<T>{}};
+  T floor_mm4{0.0};
+
+  static constexpr auto parts() {
+    return std::tuple{
+        PartList<Wrinkle, WrinkleComponent<T>>{"components", &Wrinkle::components, 1, 8}};
+  }
+  static constexpr auto fields() {
+    using F = Field<Wrinkle, T>;
+    return std::array{
+        F{"floor_mm4", &Wrinkle::floor_mm4, 0.0, 1e3, Scale::log, "mm^4",
+          "power spectral density of white height noise"},
+    };
+  }
+};
+
+/// The power spectral density of one component at frequency (fx, fy) in cycles per mm, in mm^4.
+///
+/// a^2 |G^(f)|^2 = a^2 4 pi l s exp(-4 pi^2 (l^2 fl^2 + s^2 fs^2)), with (fl, fs) the frequency
+/// along and across the long axis; its integral over all frequencies is a^2. A `window` (1/mm^2
+/// along x and y) narrows the autocovariance by exp(-(window_x dx^2 + window_y dy^2)): what a taper
+/// does to the expected periodogram near its peak. Zero gives the spectrum itself.
+template <class T>
+T psd(const WrinkleComponent<T>& component, double fx, double fy, double window_x = 0.0,
+      double window_y = 0.0) {
+  using std::cos;
+  using std::exp;
+  using std::sin;
+  using std::sqrt;
+  const T c = cos(component.angle_rad);
+  const T s = sin(component.angle_rad);
+  // The autocovariance is a^2 exp(-d^T P d / 4), P the inverse of the kernel's covariance.
+  const T along = 1.0 / (component.long_mm * component.long_mm);
+  const T across = 1.0 / (component.short_mm * component.short_mm);
+  const T pxx = along * c * c + across * s * s + 4.0 * window_x;
+  const T pyy = along * s * s + across * c * c + 4.0 * window_y;
+  const T pxy = (along - across) * c * s;
+  const T det = pxx * pyy - pxy * pxy;
+  const T quadratic = (pyy * (fx * fx) - 2.0 * pxy * (fx * fy) + pxx * (fy * fy)) / det;
+  constexpr double pi = std::numbers::pi;
+  return component.amplitude_mm * component.amplitude_mm * (4.0 * pi) / sqrt(det) *
+         exp(-4.0 * pi * pi * quadratic);
+}
+
+/// The power spectral density of the sheet, floor included: used by the fit and by the synthesis.
+template <class T>
+T psd(const Wrinkle<T>& wrinkle, double fx, double fy, double window_x = 0.0,
+      double window_y = 0.0) {
+  T sum = wrinkle.floor_mm4;
+  for (const auto& component : wrinkle.components)
+    sum += psd(component, fx, fy, window_x, window_y);
+  return sum;
+}
+
+}  // namespace hada
