@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "capture/load.h"
+#include "core/light_stack.h"
+#include "core/sphere.h"
+
+namespace hada {
+
+/// What one sphere says of every light.
+struct SphereReading {
+  Sphere sphere;
+  std::vector<Light> lights;  // one for each picture; direction_sigma infinite: not seen
+  std::vector<Eigen::Vector2d> highlights_px;  // chrome: the middle of each highlight
+  double misfit = 0.0;  // matte: root mean square residual over that of the brightness
+};
+
+/// The lights of a set of photographs, and how well they are known.
+struct Calibration {
+  std::vector<Light> lights;            // one for each picture
+  std::vector<SphereReading> readings;  // one for each sphere
+  double disagreement = 0.0;            // mean angle between the spheres' directions, radians
+  bool linear = true;                   // how the pictures are encoded
+  std::vector<std::string> remarks;     // plain sentences
+};
+
+/// Finds the spheres, reads the lights off each, and combines them by their sigma.
+///
+/// Matte: I = b . max(0, n.l) + ambient over the whole lit disc, terminator included. Chrome:
+/// l = 2 (n.v) n - v at the area-weighted middle of the highlight. Where the encoding of the
+/// pictures is not known, the matte sphere decides between linear and sRGB by its residuals.
+///
+/// photographs  as loaded (not linearised)
+/// throws       Error if no sphere is found, or a picture's light is seen on none of them
+Calibration calibrate(const Photographs& photographs);
+
+}  // namespace hada

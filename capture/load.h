@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/camera.h"
+#include "core/grid.h"
+#include "core/image.h"
+#include "io/capture_file.h"
+
+namespace hada {
+
+/// The photographs of a folder in memory, before anyone knows their lights.
+///
+/// Values are those of the files, scaled so that 1 is the largest a file could hold; dark, ambient
+/// and flat are taken into account by `linearize`.
+struct Photographs {
+  CaptureFile file;
+  Camera camera;
+  std::vector<Image> images;    // all of one size, all with one or all with three planes
+  std::vector<Mask> saturated;  // one for each image: 1 where any channel was at its largest value
+  Mask mask;                    // as the owner gave it; empty if nobody did
+  int bits = 8;                 // the smallest depth among the files
+  bool linear = true;           // false: the values carry the sRGB curve
+  bool encoding_known = true;   // false: `linear` is an assumption that a matte sphere may correct
+  std::vector<std::string> remarks;
+};
+
+/// Reads every picture that `file` names.
+///
+/// throws  Error for fewer pictures than one, mixed sizes or channel counts, values that are not
+///         finite, and pictures that are all black or all white
+Photographs load_photographs(const CaptureFile& file);
+
+/// The same photographs with linear values: sRGB curve undone where it was on, then dark and
+/// ambient taken off and the flat field divided out.
+Photographs linearized(Photographs photographs);
+
+}  // namespace hada
