@@ -1,0 +1,106 @@
+#include "measure/polar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/field.h"
+
+namespace hada {
+namespace {
+
+/// What falls into one ring or sector.
+struct Bin {
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  int count = 0;
+
+  void add(double power) {
+    sum += power;
+    sum_of_squares += power * power;
+    ++count;
+  }
+  double density() const { return count > 0 ? sum / count : 0.0; }
+  /// An ordinate is exponentially distributed, so that its variance is half its mean square; it
+  /// comes twice (at f and at -f), and a taper leaves the part `independence` of the ordinates.
+  double sigma(double independence) const {
+    return count > 0 ? std::sqrt(sum_of_squares / independence) / count : 0.0;
+  }
+};
+
+double nyquist(const Spectrum& spectrum) {
+  return 0.5 / spectrum.extent.pitch;
+}
+
+/// Calls visit(fx, fy, radius, power) for every ordinate inside the Nyquist circle but the mean.
+template <class Visit>
+void visit_ordinates(const Spectrum& spectrum, const Visit& visit) {
+  for (int row = 0; row < spectrum.power.rows(); ++row) {
+    const double fy = spectrum.fy(row);
+    for (int col = 0; col < spectrum.power.cols(); ++col) {
+      if (row == 0 && col == 0) continue;
+      const double fx = spectrum.fx(col);
+      const double radius = std::hypot(fx, fy);
+      if (radius < nyquist(spectrum)) visit(fx, fy, radius, spectrum.power(row, col));
+    }
+  }
+}
+
+template <class Summary>
+void append(Summary& summary, const Bin& bin, const Spectrum& spectrum) {
+  const double area = spectrum.extent.width() * spectrum.extent.height();
+  summary.power.push_back(bin.sum / area);
+  summary.density.push_back(bin.density());
+  summary.sigma.push_back(bin.sigma(spectrum.independence));
+  summary.count.push_back(bin.count);
+}
+
+}  // namespace
+
+Rings rings(const Spectrum& spectrum, int count) {
+  // A ring thinner than the step of the frequencies would be empty.
+  const int most = std::min(spectrum.extent.rows, spectrum.extent.cols) / 2;
+  std::vector<Bin> bins(std::size_t(std::clamp(count, 1, most)));
+  const double width = nyquist(spectrum) / double(bins.size());
+  visit_ordinates(spectrum, [&](double, double, double radius, double power) {
+    bins[std::min(std::size_t(radius / width), bins.size() - 1)].add(power);
+  });
+  Rings result;
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    result.frequency.push_back((double(k) + 0.5) * width);
+    append(result, bins[k], spectrum);
+  }
+  return result;
+}
+
+Sectors sectors(const Spectrum& spectrum, int count) {
+  std::vector<Bin> bins(std::size_t(std::max(count, 1)));
+  const double width = std::numbers::pi / double(bins.size());
+  visit_ordinates(spectrum, [&](double fx, double fy, double, double power) {
+    const double angle = half_turn(std::atan2(fy, fx));
+    bins[std::min(std::size_t(angle / width), bins.size() - 1)].add(power);
+  });
+  Sectors result;
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    result.angle.push_back((double(k) + 0.5) * width);
+    append(result, bins[k], spectrum);
+  }
+  return result;
+}
+
+std::vector<int> peaks(const std::vector<double>& power, int most, bool cyclic) {
+  const int n = int(power.size());
+  const auto at = [&](int k) {
+    if (cyclic) return power[std::size_t((k + n) % n)];
+    return k < 0 || k >= n ? -HUGE_VAL : power[std::size_t(k)];
+  };
+  std::vector<int> found;
+  for (int k = 0; k < n; ++k) {
+    if (at(k) > at(k - 1) && at(k) >= at(k + 1)) found.push_back(k);
+  }
+  std::stable_sort(found.begin(), found.end(), [&](int a, int b) { return at(a) > at(b); });
+  if (int(found.size()) > most) found.resize(std::size_t(std::max(most, 0)));
+  return found;
+}
+
+}  // namespace hada

@@ -24,11 +24,11 @@ struct Sectors {
   std::vector<int> count;
 };
 
-/// Rings [R, R + dR) up to the smaller Nyquist frequency. Source: Kiso et al., section 5.2, fig.
-/// 7a.
+/// Rings [R, R + dR) up to the Nyquist frequency; fewer than `count` where a ring would be thinner
+/// than the step of the frequencies. Source: Kiso et al., section 5.2, fig. 7a.
 Rings rings(const Spectrum& spectrum, int count = 64);
 
-/// Sectors [theta, theta + dtheta), within the smaller Nyquist circle, frequency 0 left out.
+/// Sectors [theta, theta + dtheta), within the Nyquist circle, frequency 0 left out.
 /// Source: Kiso et al., section 5.2, fig. 7b.
 Sectors sectors(const Spectrum& spectrum, int count = 36);
 
