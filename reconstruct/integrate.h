@@ -6,7 +6,7 @@
 namespace hada {
 
 struct IntegrateOptions {
-  double relative_tolerance = 1e-8;  // of the residual, where the solver stops
+  double relative_tolerance = 1e-8;  // of the height in the energy norm, where the solver stops
   int max_iterations = 500;
 };
 

@@ -22,11 +22,14 @@ struct Orientation {
 /// Normals and albedo by least squares: rho = |N^+ I|, n = N^+ I / rho for the lit samples.
 ///
 /// Grey values are the luminance of the pictures with the strength of each light divided out. The
-/// sigma is the noise of the samples (pooled residuals) and of the lights, through the same N^+.
+/// sigma is the noise of the samples and of the directions of the lights, through the same N^+. The
+/// noise is pooled from the residuals over the neighbourhood of a pixel, so it grows where shadow
+/// or sheen break the model; with three lights nothing is left over and 0.005 is taken for it.
 ///
 /// returns  maps of the size of the stack; pixels with fewer than three lit samples, with lit
 /// lights
-///          close to one plane or with a normal turned away (z <= 0) leave the mask
+///          close to one plane (smallest over largest singular value below 0.02) or with a normal
+///          turned away (z < 0.02) leave the mask
 /// throws   Error if there are fewer than three lights, or if all lights lie near one plane
 ///
 /// Source: Woodham, Optical Engineering 19 (1980); Kiso et al., section 4.

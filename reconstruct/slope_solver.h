@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/grid.h"
+#include "reconstruct/multigrid.h"
+
+namespace hada {
+
+/// Slopes dz/dx and dz/dy of a height, y up.
+using SlopeMap = Grid<Eigen::Vector2f>;
+
+/// Least-squares heights over one mask, for as many slope maps as one likes.
+///
+/// A A^T-like system is never stored: the Laplacian of the pixel graph is applied cell by cell, and
+/// conjugate gradients are preconditioned by one multigrid cycle.
+class SlopeSolver {
+ public:
+  explicit SlopeSolver(const Mask& mask);
+
+  /// The height in pixels, zero-mean in every connected region of the mask, 0 outside.
+  ///
+  /// relative_tolerance  of the error in the energy norm (as the preconditioner estimates it)
+  Grid<float> height(const SlopeMap& slopes, double relative_tolerance, int max_iterations);
+
+ private:
+  void subtract_region_means(std::vector<double>& value) const;
+
+  Multigrid multigrid_;
+  Grid<int> region_;  // of a pixel, counted from 1; 0 outside the mask
+  int regions_ = 0;
+};
+
+}  // namespace hada
