@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,10 @@ namespace hada {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads a JSON file that begins with `"hada": kind`, e.g. kind "lights/1".
+/// The object in a JSON file that begins with `"hada": kind`, e.g. kind "lights/1", without that
+/// key.
+///
+/// Stricter than the format: a key given twice, nesting beyond 64 levels or 64 MB are Errors too.
 /// throws  Error naming the file if it is missing, is not JSON, or is of another kind or schema
 Json read_json(const std::filesystem::path& path, const std::string& kind);
 

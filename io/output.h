@@ -10,7 +10,8 @@ namespace hada {
 ///
 /// Everything is written into a hidden scratch folder beside the target and renamed into place by
 /// `commit`. Destruction without `commit` (an Error) and an interrupt (Ctrl-C, SIGTERM) remove the
-/// scratch folder and leave what was there before untouched.
+/// scratch folder, and the folders that were made for it, and leave what was there before
+/// untouched.
 class Output {
  public:
   /// Makes `folder` (and its parents) if it is missing.
@@ -24,17 +25,17 @@ class Output {
   std::filesystem::path file(const std::string& name);
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Renames every file into place, in the order of `file`.
+  /// Renames every file into place, in the order of `file`. Nothing can be added afterwards.
+  /// throws  Error, before anything is renamed, if a file was not written or a folder has its name
   void commit();
 
  private:
   std::filesystem::path folder_;
-  std::filesystem::path scratch_;
+  std::filesystem::path scratch_;  // empty after `commit`
   std::vector<std::string> names_;
-  bool made_folder_ = false;
 };
 
-/// Writes `text` to `path` through an `Output`.
+/// Writes `text` to `path` through an `Output`; a device or a pipe is written to directly.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
 /// From here on an interrupt (SIGINT, SIGTERM) removes the scratch of every living Output and ends
