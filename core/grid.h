@@ -70,7 +70,8 @@ using Mask = Grid<std::uint8_t>;
 template <class T>
 Grid<T> crop(const Grid<T>& grid, int row, int col, int rows, int cols) {
   assert(row >= 0 && col >= 0 && row + rows <= grid.rows() && col + cols <= grid.cols());
-  Grid<T> part(rows, cols);
+  if (grid.empty()) return grid;
+  Grid<T> part(rows, cols, grid[0]);  // any value: a vector of Eigen has no default one
   for (int r = 0; r < rows; ++r) {
     const auto source = grid.row(row + r).subspan(std::size_t(col), std::size_t(cols));
     std::copy(source.begin(), source.end(), part.row(r).begin());
