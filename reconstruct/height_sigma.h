@@ -2,6 +2,7 @@
 
 #include "core/grid.h"
 #include "core/surface.h"
+#include "reconstruct/level.h"
 
 namespace hada {
 
@@ -10,9 +11,13 @@ namespace hada {
 /// Independent errors of the normals are drawn, integrated and levelled as the height is, and the
 /// spread at each pixel (smoothed over its neighbourhood) is returned.
 ///
+/// The draws are 24; a mask above a quarter of a million pixels is drawn on a coarser lattice, and each
+/// octave of detail left out adds its share, v pitch^2 ln 2 / (2 pi) for slopes of variance v.
+/// An error that all pixels share (a light that is off) bends the whole sheet and is not in here.
+///
 /// normal_sigma  radians along each tangent axis
 /// returns       in the unit of `pitch`; 0 outside the mask
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,
-                         const Mask& mask, double pitch, bool plane_removed);
+                         const Mask& mask, double pitch, Levelling levelling);
 
 }  // namespace hada

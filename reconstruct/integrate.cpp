@@ -8,7 +8,6 @@
 #include <Eigen/SparseCore>
 
 #include "core/error.h"
-#include "core/parallel.h"
 #include "reconstruct/slope_solver.h"
 
 namespace hada {
@@ -18,19 +17,6 @@ void require_pixels(const Mask& mask) {
   if (std::none_of(mask.begin(), mask.end(), [](auto inside) { return inside != 0; })) {
     throw Error("the mask is empty: there is no pixel to find a height for; check the mask");
   }
-}
-
-SlopeMap slopes_of(const NormalMap& normals, const Mask& mask) {
-  SlopeMap slopes(mask.rows(), mask.cols(), Eigen::Vector2f::Zero());
-  for_each_index(mask.rows(), [&](int row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      const Eigen::Vector3f& normal = normals(row, col);
-      assert(normal.z() > 0.0f);
-      slopes(row, col) = -normal.head<2>() / normal.z();
-    }
-  });
-  return slopes;
 }
 
 // One equation (row of A, entry of b) for every pair of neighbours, in pixels.

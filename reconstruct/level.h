@@ -11,8 +11,8 @@ enum class Levelling { offset, plane, quadratic };
 
 std::string_view name_of(Levelling levelling);
 
-/// Takes the best-fitting offset, plane or quadratic off `height` inside `mask`; the rest becomes
-/// 0.
+/// Takes the best-fitting offset, plane or quadratic off `height` inside `mask`; what lies
+/// outside becomes 0.
 void level(Grid<float>& height, const Mask& mask, Levelling levelling);
 
 }  // namespace hada

@@ -1,6 +1,7 @@
 #include "reconstruct/slope_solver.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
@@ -44,56 +45,37 @@ Padded right_hand_side(const PixelGraph& graph, const SlopeMap& slopes) {
   return right;
 }
 
-// Numbers the connected regions of the mask from 1; returns how many there are.
-int label_regions(const Mask& mask, Grid<int>& region) {
-  region = Grid<int>(mask.rows(), mask.cols(), 0);
-  int count = 0;
-  std::vector<std::pair<int, int>> open;
-  const auto visit = [&](int row, int col) {
-    if (!mask.contains(row, col) || !mask(row, col) || region(row, col)) return;
-    region(row, col) = count;
-    open.emplace_back(row, col);
-  };
-  for (int row = 0; row < mask.rows(); ++row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col) || region(row, col)) continue;
-      ++count;
-      visit(row, col);
-      while (!open.empty()) {
-        const auto [r, c] = open.back();
-        open.pop_back();
-        visit(r, c + 1);
-        visit(r, c - 1);
-        visit(r + 1, c);
-        visit(r - 1, c);
-      }
-    }
-  }
-  return count;
-}
-
 }  // namespace
 
-SlopeSolver::SlopeSolver(const Mask& mask)
-    : multigrid_(mask), regions_(label_regions(mask, region_)) {}
+SlopeMap slopes_of(const NormalMap& normals, const Mask& mask) {
+  SlopeMap slopes(mask.rows(), mask.cols(), Eigen::Vector2f::Zero());
+  for_each_index(mask.rows(), [&](int row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      const Eigen::Vector3f& normal = normals(row, col);
+      assert(normal.z() > 0.0f);
+      slopes(row, col) = -normal.head<2>() / normal.z();
+    }
+  });
+  return slopes;
+}
+
+SlopeSolver::SlopeSolver(const Mask& mask) : multigrid_(mask), regions_(regions_of(mask)) {}
 
 void SlopeSolver::subtract_region_means(Padded& value) const {
   const PixelGraph& graph = multigrid_.finest();
-  std::vector<double> sum(std::size_t(regions_) + 1, 0.0);
-  std::vector<double> count(std::size_t(regions_) + 1, 0.0);
+  std::vector<double> mean(regions_.size.size(), 0.0);
   for (int row = 0; row < graph.rows; ++row) {
     for (int col = 0; col < graph.cols; ++col) {
-      const auto region = std::size_t(region_(row, col));
-      sum[region] += value[graph.first(row) + std::size_t(col)];
-      count[region] += 1.0;
+      const auto region = std::size_t(regions_.label(row, col));
+      mean[region] += value[graph.first(row) + std::size_t(col)] / regions_.size[region];
     }
   }
-  for (int row = 0; row < graph.rows; ++row) {
+  for_each_index(graph.rows, [&](int row) {
     for (int col = 0; col < graph.cols; ++col) {
-      const auto region = std::size_t(region_(row, col));
-      value[graph.first(row) + std::size_t(col)] -= sum[region] / count[region];
+      value[graph.first(row) + std::size_t(col)] -= mean[std::size_t(regions_.label(row, col))];
     }
-  }
+  });
 }
 
 Grid<float> SlopeSolver::height(const SlopeMap& slopes, double relative_tolerance,
@@ -148,7 +130,7 @@ Grid<float> SlopeSolver::height(const SlopeMap& slopes, double relative_toleranc
   Grid<float> result(graph.rows, graph.cols);
   for (int row = 0; row < graph.rows; ++row) {
     for (int col = 0; col < graph.cols; ++col) {
-      if (region_(row, col) == 0) continue;
+      if (regions_.label(row, col) == 0) continue;
       result(row, col) = float(height[graph.first(row) + std::size_t(col)]);
     }
   }

@@ -4,18 +4,22 @@
 
 #include <Eigen/Core>
 
-#include "core/grid.h"
+#include "core/surface.h"
 #include "reconstruct/multigrid.h"
+#include "reconstruct/regions.h"
 
 namespace hada {
 
 /// Slopes dz/dx and dz/dy of a height, y up.
 using SlopeMap = Grid<Eigen::Vector2f>;
 
+/// The slopes of unit normals with z > 0; 0 outside the mask.
+SlopeMap slopes_of(const NormalMap& normals, const Mask& mask);
+
 /// Least-squares heights over one mask, for as many slope maps as one likes.
 ///
-/// A A^T-like system is never stored: the Laplacian of the pixel graph is applied cell by cell, and
-/// conjugate gradients are preconditioned by one multigrid cycle.
+/// The normal equations are never stored: the Laplacian of the pixel graph is applied cell by cell,
+/// and conjugate gradients are preconditioned by one multigrid cycle.
 class SlopeSolver {
  public:
   explicit SlopeSolver(const Mask& mask);
@@ -29,8 +33,7 @@ class SlopeSolver {
   void subtract_region_means(std::vector<double>& value) const;
 
   Multigrid multigrid_;
-  Grid<int> region_;  // of a pixel, counted from 1; 0 outside the mask
-  int regions_ = 0;
+  Regions regions_;
 };
 
 }  // namespace hada
