@@ -68,7 +68,7 @@ double Relief::height_at(double row, double col) const {
 // Follows the ray to the light cell by cell. Where the relief around it is nowhere steeper than the
 // ray, the gap between them cannot close, and the length of a block is passed in one step.
 bool Relief::hides(const Eigen::Vector2d& pixel, double z, const Eigen::Vector3d& to_light) const {
-  const double level = std::hypot(to_light.x(), to_light.y());
+  const double level = to_light.head<2>().norm();
   if (level < 1e-6) return false;
   const double rise = pitch_ * to_light.z() / level;  // per cell along the ground
   const double d_row = -to_light.y() / level;
@@ -77,8 +77,9 @@ bool Relief::hides(const Eigen::Vector2d& pixel, double z, const Eigen::Vector3d
   double col = pixel.y();
   while (z < top_) {
     if (row < 0.0 || col < 0.0 || row >= height_.rows() - 1 || col >= height_.cols() - 1) break;
-    if (height_at(row, col) > z + grazing * pitch_) return true;
-    const double step = steepest_(int(row) / block, int(col) / block) <= rise ? block : 1.0;
+    const bool gentle = steepest_(int(row) / block, int(col) / block) <= rise;
+    if (!gentle && height_at(row, col) > z + grazing * pitch_) return true;
+    const double step = gentle ? block : 1.0;
     row += step * d_row;
     col += step * d_col;
     z += step * rise;
