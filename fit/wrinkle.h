@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/surface.h"
-#include "fit/solve.h"
+#include "fit/fit.h"
 #include "measure/spectrum.h"
 #include "synth/wrinkle.h"
 

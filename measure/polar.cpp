@@ -73,10 +73,11 @@ Rings rings(const Spectrum& spectrum, int count) {
   return result;
 }
 
-Sectors sectors(const Spectrum& spectrum, int count) {
+Sectors sectors(const Spectrum& spectrum, int count, double low, double high) {
   std::vector<Bin> bins(std::size_t(std::max(count, 1)));
   const double width = std::numbers::pi / double(bins.size());
-  visit_ordinates(spectrum, [&](double fx, double fy, double, double power) {
+  visit_ordinates(spectrum, [&](double fx, double fy, double radius, double power) {
+    if (radius < low || radius >= high) return;
     const double angle = half_turn(std::atan2(fy, fx));
     bins[std::min(std::size_t(angle / width), bins.size() - 1)].add(power);
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "measure/spectrum.h"
@@ -28,9 +29,9 @@ struct Sectors {
 /// than the step of the frequencies. Source: Kiso et al., section 5.2, fig. 7a.
 Rings rings(const Spectrum& spectrum, int count = 64);
 
-/// Sectors [theta, theta + dtheta), within the Nyquist circle, frequency 0 left out.
-/// Source: Kiso et al., section 5.2, fig. 7b.
-Sectors sectors(const Spectrum& spectrum, int count = 36);
+/// Sectors [theta, theta + dtheta), of the frequencies from `low` to below `high` (cycles per unit)
+/// within the Nyquist circle, frequency 0 left out. Source: Kiso et al., section 5.2, fig. 7b.
+Sectors sectors(const Spectrum& spectrum, int count = 36, double low = 0.0, double high = HUGE_VAL);
 
 /// Indices of local maxima (cyclic for sectors), the highest first, at most `most`.
 std::vector<int> peaks(const std::vector<double>& power, int most, bool cyclic);

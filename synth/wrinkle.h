@@ -44,7 +44,7 @@ struct Wrinkle {
   static constexpr std::string_view summary =
       "wrinkles of paper: oriented Gaussian noise functions";
 
-  std::vector<WrinkleComponent<T>> components{WrinkleComponent<T>{}};
+  std::vector<WrinkleComponent<T>> components = std::vector<WrinkleComponent<T>>(1);
   T floor_mm4{0.0};
 
   static constexpr auto parts() {
@@ -60,6 +60,39 @@ struct Wrinkle {
   }
 };
 
+/// An autocovariance of Gaussian shape: variance exp(-(xx dx^2 + 2 xy dx dy + yy dy^2)).
+template <class T = double>
+struct GaussianCovariance {
+  T variance;
+  T xx, xy, yy;  // 1/mm^2
+};
+
+/// The autocovariance of one noise function: a^2 exp(-d^T P d / 4), P the inverse of the kernel's
+/// covariance matrix.
+template <class T>
+GaussianCovariance<T> autocovariance(const WrinkleComponent<T>& component) {
+  using std::cos;
+  using std::sin;
+  const T c = cos(component.angle_rad);
+  const T s = sin(component.angle_rad);
+  const T along = 0.25 / (component.long_mm * component.long_mm);
+  const T across = 0.25 / (component.short_mm * component.short_mm);
+  return {component.amplitude_mm * component.amplitude_mm, along * c * c + across * s * s,
+          (along - across) * c * s, along * s * s + across * c * c};
+}
+
+/// The power spectral density of that autocovariance at (fx, fy) in cycles per mm, in mm^4.
+template <class T>
+T psd(const GaussianCovariance<T>& covariance, double fx, double fy) {
+  using std::exp;
+  using std::sqrt;
+  constexpr double pi = std::numbers::pi;
+  const auto& [variance, xx, xy, yy] = covariance;
+  const T det = xx * yy - xy * xy;
+  const T quadratic = (yy * (fx * fx) - 2.0 * xy * (fx * fy) + xx * (fy * fy)) / det;
+  return variance * pi / sqrt(det) * exp(-pi * pi * quadratic);
+}
+
 /// The power spectral density of one component at frequency (fx, fy) in cycles per mm, in mm^4.
 ///
 /// a^2 |G^(f)|^2 = a^2 4 pi l s exp(-4 pi^2 (l^2 fl^2 + s^2 fs^2)), with (fl, fs) the frequency
@@ -69,23 +102,10 @@ struct Wrinkle {
 template <class T>
 T psd(const WrinkleComponent<T>& component, double fx, double fy, double window_x = 0.0,
       double window_y = 0.0) {
-  using std::cos;
-  using std::exp;
-  using std::sin;
-  using std::sqrt;
-  const T c = cos(component.angle_rad);
-  const T s = sin(component.angle_rad);
-  // The autocovariance is a^2 exp(-d^T P d / 4), P the inverse of the kernel's covariance.
-  const T along = 1.0 / (component.long_mm * component.long_mm);
-  const T across = 1.0 / (component.short_mm * component.short_mm);
-  const T pxx = along * c * c + across * s * s + 4.0 * window_x;
-  const T pyy = along * s * s + across * c * c + 4.0 * window_y;
-  const T pxy = (along - across) * c * s;
-  const T det = pxx * pyy - pxy * pxy;
-  const T quadratic = (pyy * (fx * fx) - 2.0 * pxy * (fx * fy) + pxx * (fy * fy)) / det;
-  constexpr double pi = std::numbers::pi;
-  return component.amplitude_mm * component.amplitude_mm * (4.0 * pi) / sqrt(det) *
-         exp(-4.0 * pi * pi * quadratic);
+  GaussianCovariance<T> covariance = autocovariance(component);
+  covariance.xx += window_x;
+  covariance.yy += window_y;
+  return psd(covariance, fx, fy);
 }
 
 /// The power spectral density of the sheet, floor included: used by the fit and by the synthesis.

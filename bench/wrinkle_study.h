@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "synth/wrinkle.h"
+
+namespace hada {
+
+struct WrinkleStudyOptions {
+  int seeds = 40;
+  int size_px = 512;      // of the map that is fitted, along each side
+  double pitch_mm = 0.2;  // of that map
+  int components = 0;     // how many the fit is told of; 0: it chooses
+  double noise_mm = 0.0;  // standard deviation of white height noise
+};
+
+/// How well one fitted field of one component found its truth, over the seeds of a study.
+struct FieldScore {
+  std::string path;           // "components[0].amplitude_mm"
+  double median_error = 0.0;  // relative; of an angle in degrees
+  double coverage = 0.0;      // share of 95 % intervals that hold the truth
+  double spread = 0.0;        // root mean square of error over sigma, 1 if sigma is honest
+};
+
+struct WrinkleScore {
+  std::vector<FieldScore> fields;
+  double coverage = 0.0;         // over all fields
+  double right_count = 0.0;      // share of seeds with the true number of components
+  double seconds_median = 0.0;   // of a fit
+  std::vector<double> goodness;  // p of every seed
+  std::vector<double> agreeing;  // share of starts that ended at the best
+};
+
+/// Three noise functions with kernels of about 16, 5 and 1.7 pixels; axes, directions and
+/// amplitudes vary with the seed.
+Wrinkle<> study_truth(unsigned seed, double pitch_mm);
+
+/// Fits maps whose wrinkles are known.
+///
+/// Each map is cut from a field twice as wide and sampled twice as finely, so that it neither tiles
+/// nor shares its grid of frequencies with the fit.
+WrinkleScore study_wrinkles(const WrinkleStudyOptions& options = {});
+
+}  // namespace hada

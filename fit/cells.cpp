@@ -1,0 +1,77 @@
+#include "fit/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "core/fft.h"
+#include "core/field.h"
+
+namespace hada {
+namespace {
+
+constexpr double emptied_by_levelling = 1.5;  // frequency steps
+
+struct Sums {
+  double fx = 0.0, fy = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, power = 0.0;
+  int count = 0;
+};
+
+Cell cell_from(const Sums& sums, const Spectrum& spectrum) {
+  const double n = sums.count;
+  const double fx = sums.fx / n, fy = sums.fy / n;
+  constexpr double narrowing = 2.0 * std::numbers::pi * std::numbers::pi;
+  return {.fx = fx,
+          .fy = fy,
+          .power = sums.power / n,
+          .count = sums.count,
+          .xx = spectrum.window_x + narrowing * (sums.xx / n - fx * fx),
+          .xy = narrowing * (sums.xy / n - fx * fy),
+          .yy = spectrum.window_y + narrowing * (sums.yy / n - fy * fy)};
+}
+
+}  // namespace
+
+std::vector<Cell> cells_of(const Spectrum& spectrum, const CellOptions& options) {
+  const Extent& extent = spectrum.extent;
+  const double step = 1.0 / std::min(extent.width(), extent.height());
+  const double inner = options.inner_bins * step;
+  const int sectors = int(std::ceil(std::numbers::pi / options.growth));
+
+  std::vector<Cell> cells;
+  std::map<std::pair<int, int>, Sums> outer;  // by ring and sector
+  for (int row = 0; row < extent.rows; ++row) {
+    const int i = signed_frequency(row, extent.rows);
+    const double fy = spectrum.fy(row);
+    for (int col = 0; col <= extent.cols / 2; ++col) {
+      if (col == 0 && i < 0) continue;  // seen at (-i, 0)
+      if (std::hypot(i, col) < emptied_by_levelling) continue;
+      const double fx = spectrum.fx(col);
+      const double radius = std::hypot(fx, fy);
+      if (radius >= 0.5 / extent.pitch) continue;
+      const double power = spectrum.power(row, col);
+      const Sums alone{fx, fy, fx * fx, fx * fy, fy * fy, power, 1};
+      if (radius < inner) {
+        cells.push_back(cell_from(alone, spectrum));
+        continue;
+      }
+      const double turn = half_turn(std::atan2(fy, fx)) / std::numbers::pi;
+      Sums& sums = outer[{int(std::log(radius / inner) / options.growth), int(turn * sectors)}];
+      // A cell may straddle the edge of the half plane only through f = -f: turn to one side.
+      const double side = fy < 0.0 ? -1.0 : 1.0;
+      sums.fx += side * fx;
+      sums.fy += side * fy;
+      sums.xx += alone.xx;
+      sums.xy += alone.xy;
+      sums.yy += alone.yy;
+      sums.power += power;
+      ++sums.count;
+    }
+  }
+  for (const auto& [place, sums] : outer) cells.push_back(cell_from(sums, spectrum));
+  return cells;
+}
+
+}  // namespace hada

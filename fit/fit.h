@@ -1,0 +1,26 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace hada {
+
+/// The best of several starts, and how sure it is. M is a material over double.
+template <class M>
+struct Fit {
+  M material;
+  M sigma;                            // standard deviation, field by field
+  std::vector<std::string> on_bound;  // paths of fields that ended on a bound: their sigma is void
+  double cost = 0.0;                  // of the best start (half the sum of squared residuals)
+  double runner_up_gap = 0.0;         // cost of the best clearly different ending minus `cost`
+  int starts = 0;                     // how many were run
+  int agreeing = 0;                   // how many of them ended at the best
+  double goodness_p = std::numeric_limits<double>::quiet_NaN();  // small: the model is wrong
+  Eigen::MatrixXd covariance;                                    // of the packed fields
+  std::vector<std::string> remarks;                              // plain sentences for a person
+};
+
+}  // namespace hada
