@@ -14,7 +14,7 @@ namespace hada {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double most_cells = 268435456.0;  // 2^28 of a fine lattice: 1 GB for one map
+constexpr double most_cells = 134217728.0;  // 2^27 of a fine lattice: half a GB for one map
 
 double within(JsonObject& object, const std::string& key, double value, double low, double high) {
   if (value < low || value > high) {
@@ -111,7 +111,7 @@ std::pair<Rig, double> rig_in(JsonObject object) {
   rig.cols = count(object, "cols", 16384);
   const int oversampling = count(object, "oversampling", 64);
   if (double(rig.rows) * rig.cols * oversampling * oversampling > most_cells) {
-    object.fail("oversampling", "makes more than 2^28 cells; choose a smaller one");
+    object.fail("oversampling", "makes more than 2^27 cells; choose a smaller one");
   }
   rig.lights = entries(object, "lights", light_in);
   if (rig.lights.empty()) object.fail("lights", "must name at least one light");
