@@ -17,15 +17,21 @@ std::vector<Light> lights_in(const CaptureFile& file);
 /// throws  Error if there are not as many lights as pictures
 std::vector<Light> matched_lights(const std::vector<Light>& lights, const CaptureFile& file);
 
+/// Settles whether pictures of unknown encoding are linear, by which reading lets the lights
+/// explain the brightness of the pixels better; says so in the remarks. Does nothing where it is
+/// known.
+void settle_encoding(Photographs& photographs, const std::vector<Light>& lights);
+
 /// The stack that reconstruction works on: linear pictures, lights, samples marked, sample found.
 ///
-/// Samples are saturated where the file was at its largest value, shadowed where the value is lost
-/// in the noise or far below what the other pictures predict. The mask is the owner's, or the
-/// largest bright region that is no sphere (inside the sample box where one is given), shrunk by
-/// one pixel. Strengths are scaled to a mean of 1 over lights and channels.
+/// Samples are saturated where the file was at its largest value, shadowed where hardly any light
+/// arrives (below the noise, or below 3 % of the pixel's brightest). The mask is the owner's, or
+/// the one that `sample_mask` finds. Strengths are scaled to a mean of 1 over lights and channels.
 ///
-/// throws  Error for fewer than three pictures, or if no sample can be told from the background
-LightStack light_stack(const Photographs& photographs, std::vector<Light> lights,
+/// photographs  as loaded; what `linear` says of them is believed
+/// spheres      no part of the sample
+/// throws       Error for fewer than three pictures, or if no sample stands out from the background
+LightStack light_stack(Photographs photographs, std::vector<Light> lights,
                        const std::vector<Sphere>& spheres);
 
 }  // namespace hada

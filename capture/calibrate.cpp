@@ -1,0 +1,198 @@
+#include "capture/calibrate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <fmt/core.h>
+
+#include "capture/chrome_sphere.h"
+#include "capture/find_spheres.h"
+#include "capture/matte_sphere.h"
+#include "core/error.h"
+
+namespace hada {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+bool is_seen(const Light& light) {
+  return std::isfinite(light.direction_sigma);
+}
+
+// Mean misfit of the matte spheres if the pictures are taken as linear or as sRGB.
+double matte_misfit(Photographs photographs, const std::vector<Sphere>& spheres, bool as_linear) {
+  photographs.linear = as_linear;
+  const Photographs linear = linearized(std::move(photographs));
+  double sum = 0.0;
+  int count = 0;
+  for (const Sphere& sphere : spheres) {
+    if (sphere.kind != SphereKind::matte) continue;
+    for (std::size_t k = 0; k < linear.images.size(); ++k) {
+      sum += matte_shading(luminance(linear.images[k]), linear.saturated[k], linear.camera, sphere,
+                           0.95)
+                 .misfit;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+// Settles the encoding on the matte spheres where the files do not.
+void decide_encoding(Photographs& photographs, const std::vector<Sphere>& spheres,
+                     std::vector<std::string>& remarks) {
+  const bool has_matte = std::any_of(spheres.begin(), spheres.end(),
+                                     [](const Sphere& s) { return s.kind == SphereKind::matte; });
+  if (!has_matte) {
+    if (!photographs.encoding_known) {
+      remarks.push_back(
+          "No matte sphere tells how the 8-bit pictures are encoded; sRGB is assumed (say "
+          "\"encoding\" in capture.json if it is not).");
+    }
+    return;
+  }
+  const double linear = matte_misfit(photographs, spheres, true);
+  const double srgb = matte_misfit(photographs, spheres, false);
+  const bool looks_linear = linear <= srgb;
+  if (!photographs.encoding_known) {
+    photographs.linear = looks_linear;
+    photographs.encoding_known = true;
+    remarks.push_back(fmt::format(
+        "The matte sphere says that the pictures are {} (its shading is off by {:.1f} % that way, "
+        "by {:.1f} % the other).",
+        looks_linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
+        100.0 * std::max(linear, srgb)));
+  } else if (looks_linear != photographs.linear &&
+             std::min(linear, srgb) < 0.6 * std::max(linear, srgb)) {
+    remarks.push_back(fmt::format(
+        "The pictures are taken as {}, but the matte sphere fits better as {}; check \"encoding\" "
+        "in capture.json.",
+        photographs.linear ? "linear" : "sRGB", looks_linear ? "linear" : "sRGB"));
+  }
+}
+
+// One light out of what every sphere says of it, weighted by sigma; strengths of matte spheres
+// count before those of chrome ones, which clip.
+Light combined(const std::vector<SphereReading>& readings, std::size_t k) {
+  Light light = readings.front().lights[k];
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  double weight_sum = 0.0;
+  for (const SphereReading& reading : readings) {
+    const Light& seen = reading.lights[k];
+    if (!is_seen(seen)) continue;
+    const double weight = 1.0 / (seen.direction_sigma * seen.direction_sigma + 1e-12);
+    direction += weight * seen.direction;
+    weight_sum += weight;
+  }
+  light.direction = direction.normalized();
+  light.direction_sigma = weight_sum > 0.0 ? std::sqrt(1.0 / weight_sum) : HUGE_VAL;
+  return light;
+}
+
+// Scales the strengths that one reading gives to a mean of 1 per channel over all lights.
+std::vector<Eigen::Vector3d> relative_strengths(const SphereReading& reading) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Light& light : reading.lights) mean += light.strength / double(reading.lights.size());
+  std::vector<Eigen::Vector3d> strengths;
+  for (const Light& light : reading.lights) {
+    strengths.push_back(light.strength.cwiseQuotient(mean));
+  }
+  return strengths;
+}
+
+const SphereReading& reading_for_strengths(const std::vector<SphereReading>& readings) {
+  const auto all_seen = [](const SphereReading& reading) {
+    return std::all_of(reading.lights.begin(), reading.lights.end(), is_seen);
+  };
+  for (const SphereKind kind : {SphereKind::matte, SphereKind::chrome}) {
+    for (const SphereReading& reading : readings) {
+      if (reading.sphere.kind == kind && all_seen(reading)) return reading;
+    }
+  }
+  return readings.front();
+}
+
+double mean_disagreement(const std::vector<SphereReading>& readings) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t a = 0; a < readings.size(); ++a) {
+    for (std::size_t b = a + 1; b < readings.size(); ++b) {
+      for (std::size_t k = 0; k < readings[a].lights.size(); ++k) {
+        const Light& one = readings[a].lights[k];
+        const Light& other = readings[b].lights[k];
+        if (!is_seen(one) || !is_seen(other)) continue;
+        sum += angle_between(one.direction, other.direction);
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+void remark_on(const Calibration& calibration, std::vector<std::string>& remarks) {
+  for (const SphereReading& reading : calibration.readings) {
+    constexpr double small_px = 15.0;
+    if (reading.sphere.radius_px < small_px) {
+      remarks.push_back(fmt::format(
+          "The {} sphere is only {:.0f} px across; a larger one would give better lights.",
+          name_of(reading.sphere.kind), 2.0 * reading.sphere.radius_px));
+    }
+    if (reading.misfit > 0.2) {
+      remarks.push_back(
+          fmt::format("The matte sphere is not shaded like one ({:.0f} % of its contrast is "
+                      "unexplained): is it "
+                      "glossy, dirty, or lit by more than one lamp?",
+                      100.0 * reading.misfit));
+    }
+  }
+  if (calibration.disagreement > 3.0 * degree) {
+    remarks.push_back(fmt::format(
+        "The spheres disagree by {:.1f} degrees on average: the lights may be near, or the camera "
+        "perspective; say so in capture.json.",
+        calibration.disagreement / degree));
+  }
+}
+
+}  // namespace
+
+Calibration calibrate(const Photographs& given) {
+  Calibration calibration;
+  Photographs photographs = given;
+  const FoundSpheres found = find_spheres(photographs);
+  for (const auto& rejected : found.rejected)
+    calibration.remarks.push_back("Rejected " + rejected + ".");
+  if (found.spheres.empty()) {
+    const std::string why =
+        found.rejected.empty() ? std::string("") : " (" + found.rejected.front() + ")";
+    throw Error(given.file.folder.string() + ": no reference sphere found" + why +
+                "; put a matte or chrome sphere wholly into the frame, or give the lights");
+  }
+  decide_encoding(photographs, found.spheres, calibration.remarks);
+  calibration.linear = photographs.linear;
+  const Photographs linear = linearized(std::move(photographs));
+  for (const Sphere& sphere : found.spheres) {
+    calibration.readings.push_back(sphere.kind == SphereKind::matte
+                                       ? read_matte_sphere(linear, sharpened_matte(linear, sphere))
+                                       : read_chrome_sphere(linear, sphere));
+  }
+  const auto strengths = relative_strengths(reading_for_strengths(calibration.readings));
+  for (std::size_t k = 0; k < linear.images.size(); ++k) {
+    Light light = combined(calibration.readings, k);
+    if (!is_seen(light)) {
+      throw Error(linear.file.pictures[k].file.string() +
+                  ": its light is seen on no sphere; leave the picture out or light the sphere");
+    }
+    light.strength = strengths[k];
+    calibration.lights.push_back(light);
+  }
+  calibration.disagreement = mean_disagreement(calibration.readings);
+  remark_on(calibration, calibration.remarks);
+  return calibration;
+}
+
+}  // namespace hada

@@ -1,0 +1,159 @@
+#include "capture/faint_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace hada {
+namespace {
+
+constexpr int radii = 240;
+
+double bilinear(const Grid<float>& picture, double u, double v) {
+  const double x = u - 0.5;
+  const double y = v - 0.5;
+  const int col = int(std::floor(x));
+  const int row = int(std::floor(y));
+  const double fx = x - col;
+  const double fy = y - row;
+  return (1 - fy) * ((1 - fx) * picture(row, col) + fx * picture(row, col + 1)) +
+         fy * ((1 - fx) * picture(row + 1, col) + fx * picture(row + 1, col + 1));
+}
+
+// The step across the circle on each radius: the mean over `reach` px outside minus that inside.
+// Radii that leave the picture are left out.
+std::vector<double> steps_across(const Grid<float>& picture, const Eigen::Vector2d& center,
+                                 double radius, double reach) {
+  std::vector<double> steps;
+  steps.reserve(radii);
+  constexpr int samples = 3;
+  for (int i = 0; i < radii; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / radii;
+    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d far = center + (radius + reach) * way;
+    if (far.x() < 1 || far.y() < 1 || far.x() > picture.cols() - 1 ||
+        far.y() > picture.rows() - 1) {
+      continue;
+    }
+    double step = 0.0;
+    for (int s = 0; s < samples; ++s) {
+      const double off = reach * (s + 0.5) / samples;
+      const Eigen::Vector2d outside = center + (radius + off) * way;
+      const Eigen::Vector2d inside = center + (radius - off) * way;
+      step +=
+          bilinear(picture, outside.x(), outside.y()) - bilinear(picture, inside.x(), inside.y());
+    }
+    steps.push_back(step / samples);
+  }
+  return steps;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// How much of the circumference steps by about `typical` or more with its sign, less what steps
+// against it: -1 to 1. Saturates, so that a bold edge counts no more than a faint one.
+double coherence(const std::vector<double>& steps, double typical) {
+  double sum = 0.0;
+  for (const double step : steps) sum += std::tanh(step / typical);
+  return sum / radii;
+}
+
+struct Step {
+  double radius;
+  double height;  // signed median step
+};
+
+// Concentric steps that stand out from what lies a little further in and out.
+std::vector<Step> concentric_steps(const Grid<float>& picture, const Eigen::Vector2d& center,
+                                   double from, double to, double reach) {
+  std::vector<double> radius, height;
+  for (double r = from; r <= to; r += 0.5) {
+    const auto steps = steps_across(picture, center, r, reach);
+    radius.push_back(r);
+    height.push_back(int(steps.size()) < radii / 2 ? 0.0 : median(steps));
+  }
+  std::vector<Step> found;
+  const auto apart = std::ptrdiff_t(std::max(4.0, 0.06 * from / 0.5));
+  for (std::ptrdiff_t i = 1; i + 1 < std::ptrdiff_t(height.size()); ++i) {
+    const auto size = [&](std::ptrdiff_t at) {
+      const auto last = std::ptrdiff_t(height.size()) - 1;
+      return std::abs(height[std::size_t(std::clamp<std::ptrdiff_t>(at, 0, last))]);
+    };
+    const double here = size(i);
+    if (here < size(i - 1) || here <= size(i + 1)) continue;
+    if (here < 1.7 * size(i + apart)) continue;
+    const double sign = height[std::size_t(i)] > 0.0 ? 1.0 : -1.0;
+    const auto steps = steps_across(picture, center, radius[std::size_t(i)], reach);
+    if (sign * coherence(steps, here) < 0.45) continue;
+    found.push_back({radius[std::size_t(i)], height[std::size_t(i)]});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& start,
+                                    std::optional<double> radius_px) {
+  const double reach = std::max(1.5, 0.025 * start.radius);
+  double from = radius_px ? 0.97 * *radius_px : 0.9 * start.radius;
+  double to = radius_px ? 1.03 * *radius_px : 1.6 * start.radius;
+  // The inner edges need not be concentric with the outline: try centres around the start.
+  std::optional<Step> best;
+  Eigen::Vector2d center = start.center;
+  double best_score = 0.0;
+  const double spread = 0.06 * start.radius;
+  for (int i = -2; i <= 2; ++i) {
+    for (int j = -2; j <= 2; ++j) {
+      const Eigen::Vector2d at = start.center + 0.5 * spread * Eigen::Vector2d(i, j);
+      for (const Step& step : concentric_steps(picture, at, from, to, reach)) {
+        const auto steps = steps_across(picture, at, step.radius, reach);
+        const double sign = step.height > 0.0 ? 1.0 : -1.0;
+        const double share = sign * coherence(steps, std::abs(step.height));
+        // Outer steps win over inner ones; among centres the most coherent.
+        const double score = share + 3.0 * step.radius / start.radius;
+        if (score > best_score) {
+          best_score = score;
+          best = step;
+          center = at;
+        }
+      }
+    }
+  }
+  if (!best) return std::nullopt;
+  Eigen::Vector3d place(center.x(), center.y(), radius_px.value_or(best->radius));
+  const double sign = best->height > 0.0 ? 1.0 : -1.0;
+  const auto score = [&](const Eigen::Vector3d& p) {
+    return sign *
+           coherence(steps_across(picture, p.head<2>(), p[2], reach), std::abs(best->height));
+  };
+  // Compass search: the score is flat-topped and bounded, and only its place matters.
+  double now = score(place);
+  const int axes = radius_px ? 2 : 3;
+  for (double stride = 0.5 * reach; stride > 0.01; stride *= 0.5) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (int axis = 0; axis < axes; ++axis) {
+        for (const double way : {-stride, stride}) {
+          Eigen::Vector3d next = place;
+          next[axis] += way;
+          const double value = score(next);
+          if (value > now + 1e-9 && next[2] < 1.7 * start.radius) {
+            now = value;
+            place = next;
+            moved = true;
+          }
+        }
+      }
+    }
+  }
+  constexpr double faint_scatter = 0.6;  // px: how well one radius places a step of this kind
+  return Circle{place.head<2>(), place[2], std::clamp(now, 0.0, 1.0), faint_scatter};
+}
+
+}  // namespace hada

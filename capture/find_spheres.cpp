@@ -1,0 +1,239 @@
+#include "capture/find_spheres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/core.h>
+
+#include "capture/circle.h"
+#include "capture/faint_outline.h"
+#include "capture/likeness.h"
+#include "capture/overview.h"
+#include "capture/sphere_geometry.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace hada {
+namespace {
+
+struct Candidate {
+  Circle circle;
+  SphereKind kind = SphereKind::matte;
+  double worth = 0.0;
+};
+
+Sphere sphere_of(const Circle& circle, SphereKind kind) {
+  Sphere sphere;
+  sphere.kind = kind;
+  sphere.center_px = circle.center;
+  sphere.radius_px = circle.radius;
+  // Edge points that are independent of each other lie about two pixels apart.
+  const double points = std::max(3.0, circle.coverage * 3.0 * circle.radius);
+  sphere.sigma_px = std::max(0.03, circle.scatter * std::sqrt(2.0 / points));
+  return sphere;
+}
+
+bool crosses_frame(const Circle& circle, const Extent& extent) {
+  return circle.center.x() < circle.radius || circle.center.y() < circle.radius ||
+         circle.center.x() + circle.radius > extent.cols ||
+         circle.center.y() + circle.radius > extent.rows;
+}
+
+// The outline of a mirror around a circle that was found on or in it.
+Circle mirror_outline(const Overview& all, const Circle& circle, std::optional<double> radius_px) {
+  for (const Grid<float>* picture : {&all.mean_log, &all.brightest_log}) {
+    if (const auto outline = faint_outline(*picture, circle, radius_px)) return *outline;
+  }
+  return circle;
+}
+
+std::optional<Circle> disc_of(const Mask& mask) {
+  if (mask.empty()) return std::nullopt;
+  double count = 0.0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      count += 1.0;
+      sum += Eigen::Vector2d(col + 0.5, row + 0.5);
+    }
+  }
+  Circle disc;
+  disc.center = sum / count;
+  disc.radius = std::sqrt(count / 3.14159265358979);
+  double inside = 0.0;
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      const Eigen::Vector2d at(col + 0.5, row + 0.5);
+      inside += mask(row, col) && (at - disc.center).norm() <= disc.radius;
+    }
+  }
+  if (inside < 0.97 * count) return std::nullopt;
+  disc.coverage = 1.0;
+  disc.scatter = 0.5;
+  return disc;
+}
+
+std::vector<Circle> circles_in(const Overview& all, const CircleSearch& search) {
+  std::vector<Circle> circles;
+  for (const Grid<float>* picture : {&all.mean_log, &all.brightest_log}) {
+    for (const Circle& rough : circle_candidates(*picture, search)) {
+      const Circle sharp = refined(*picture, rough, 0.12);
+      if (sharp.coverage < 0.35) continue;
+      const bool known = std::any_of(circles.begin(), circles.end(), [&](const Circle& other) {
+        return (sharp.center - other.center).norm() + std::abs(sharp.radius - other.radius) <
+               0.02 * other.radius + 0.7;
+      });
+      if (!known) circles.push_back(sharp);
+    }
+  }
+  return circles;
+}
+
+Candidate judged(const Photographs& photographs, const Overview& all, const Circle& circle) {
+  Candidate candidate{circle, SphereKind::matte, 0.0};
+  const double matte = matte_likeness(photographs, all, circle);
+  const double chrome = chrome_likeness(photographs, all, circle);
+  constexpr double convincing = 0.6;
+  if (matte < convincing && chrome == 0.0) return candidate;
+  candidate.kind = matte >= convincing ? SphereKind::matte : SphereKind::chrome;
+  candidate.worth = circle.coverage * std::max(matte, 0.8 * chrome);
+  return candidate;
+}
+
+std::string described(const Circle& circle) {
+  return fmt::format("circle at ({:.0f}, {:.0f}) px of radius {:.0f} px", circle.center.x(),
+                     circle.center.y(), circle.radius);
+}
+
+// The convincing candidates that do not overlap, the best first.
+std::vector<Candidate> without_overlap(std::vector<Candidate> candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.worth > b.worth; });
+  std::vector<Candidate> kept;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.worth == 0.0) continue;
+    const bool overlaps = std::any_of(kept.begin(), kept.end(), [&](const Candidate& other) {
+      return (candidate.circle.center - other.circle.center).norm() <
+             0.9 * (candidate.circle.radius + other.circle.radius);
+    });
+    if (!overlaps) kept.push_back(candidate);
+  }
+  return kept;
+}
+
+bool in_box(const Circle& circle, const BoxPx& box) {
+  const double width = box[2] - box[0];
+  const double height = box[3] - box[1];
+  // A box is a hint: the circle's middle lies in it and its size is of the box's order.
+  return circle.center.x() > box[0] && circle.center.x() < box[2] && circle.center.y() > box[1] &&
+         circle.center.y() < box[3] && circle.radius < 0.65 * std::max(width, height) &&
+         circle.radius > 0.15 * std::min(width, height);
+}
+
+std::string box_text(const BoxPx& box) {
+  return fmt::format("[{:.0f}, {:.0f}, {:.0f}, {:.0f}]", box[0], box[1], box[2], box[3]);
+}
+
+// The radius of the outline of a sphere at `place` whose diameter somebody has measured.
+std::optional<double> known_radius_px(const std::optional<double>& diameter_mm,
+                                      const Camera& camera, const Eigen::Vector2d& place_px) {
+  if (!diameter_mm || camera.extent.unit != Unit::mm) return std::nullopt;
+  SphereInSpace sphere;
+  const double radius = 0.5 * *diameter_mm;
+  const Eigen::Vector2d place = camera.extent.place(place_px.y() - 0.5, place_px.x() - 0.5);
+  sphere.center = {place.x(), place.y(), radius};
+  sphere.radius = radius;
+  return outline(sphere, camera).radius_px;
+}
+
+/// Turns candidates into spheres, and says why where it cannot.
+class Selection {
+ public:
+  Selection(const Photographs& photographs, const Overview& all)
+      : photographs_(photographs), all_(all), from_mask_(disc_of(photographs.mask).has_value()) {}
+
+  bool add(const Candidate& candidate, const CaptureFile::SphereHint& hint) {
+    Circle circle = candidate.circle;
+    const SphereKind kind = hint.kind.value_or(candidate.kind);
+    if (kind == SphereKind::chrome && !from_mask_) {
+      circle = mirror_outline(
+          all_, circle, known_radius_px(hint.diameter_mm, photographs_.camera, circle.center));
+    }
+    if (crosses_frame(circle, photographs_.camera.extent)) {
+      found.rejected.push_back(described(circle) +
+                               ": a sphere cut off by the frame; move it wholly into the picture");
+      return false;
+    }
+    constexpr double least_coverage = 0.5;
+    if (circle.coverage < least_coverage) {
+      found.rejected.push_back(
+          described(circle) +
+          fmt::format(": behaves like a sphere, but only {:.0f} % of an outline is seen",
+                      100.0 * circle.coverage));
+      return false;
+    }
+    Sphere sphere = sphere_of(circle, kind);
+    sphere.diameter_mm = hint.diameter_mm;
+    found.spheres.push_back(sphere);
+    return true;
+  }
+
+  FoundSpheres found;
+
+ private:
+  const Photographs& photographs_;
+  const Overview& all_;
+  bool from_mask_;
+};
+
+void add_boxed(Selection& selection, const CaptureFile& file,
+               const std::vector<Candidate>& candidates) {
+  for (const auto& hint : file.spheres) {
+    if (!hint.box) continue;
+    std::vector<Candidate> inside;
+    for (const Candidate& candidate : candidates) {
+      if (in_box(candidate.circle, *hint.box)) inside.push_back(candidate);
+    }
+    const auto best = without_overlap(inside);
+    const std::string where = file.folder.string() + ": sphere box " + box_text(*hint.box);
+    if (best.empty()) throw Error(where + " holds no sphere; correct the box or leave it out");
+    if (!selection.add(best.front(), hint)) {
+      throw Error(where + ": " + selection.found.rejected.back());
+    }
+  }
+}
+
+}  // namespace
+
+FoundSpheres find_spheres(const Photographs& photographs) {
+  const Overview all = overview(photographs);
+  const Extent& extent = photographs.camera.extent;
+  CircleSearch search;
+  search.smallest_radius = std::max(6.0, 0.015 * std::min(extent.rows, extent.cols));
+  const auto disc = disc_of(photographs.mask);
+  const auto circles = disc ? std::vector<Circle>{*disc} : circles_in(all, search);
+  std::vector<Candidate> candidates(circles.size());
+  for_each_index(int(circles.size()), [&](int i) {
+    candidates[std::size_t(i)] = judged(photographs, all, circles[std::size_t(i)]);
+  });
+
+  Selection selection(photographs, all);
+  const auto& hints = photographs.file.spheres;
+  if (std::any_of(hints.begin(), hints.end(), [](const auto& h) { return h.box.has_value(); })) {
+    add_boxed(selection, photographs.file, candidates);
+    return selection.found;
+  }
+  // Hints without boxes can only be told apart from the left to the right.
+  auto best = without_overlap(candidates);
+  std::stable_sort(best.begin(), best.end(), [](const Candidate& a, const Candidate& b) {
+    return a.circle.center.x() < b.circle.center.x();
+  });
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    selection.add(best[i], hints.size() == best.size() ? hints[i] : CaptureFile::SphereHint{});
+  }
+  return selection.found;
+}
+
+}  // namespace hada

@@ -1,0 +1,181 @@
+#include "capture/light_stack.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <fmt/core.h>
+
+#include "capture/sample_mask.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace hada {
+namespace {
+
+// A grey value with the light's strength divided out of each channel.
+Grid<float> equalized(const Image& image, const Light& light) {
+  if (image.channels() < 3) {
+    Grid<float> grey = image.planes[0];
+    for (float& value : grey) value = float(value / light.strength[0]);
+    return grey;
+  }
+  Image scaled = image;
+  for (int c = 0; c < 3; ++c) {
+    for (float& value : scaled.planes[std::size_t(c)]) value = float(value / light.strength[c]);
+  }
+  return luminance(scaled);
+}
+
+void scale_strengths(std::vector<Light>& lights) {
+  double sum = 0.0;
+  for (const Light& light : lights) sum += light.strength.mean();
+  for (Light& light : lights) light.strength *= double(lights.size()) / sum;
+}
+
+// The share of the brightness of bright pixels that no Lambertian surface under these lights shows.
+double unexplained(Photographs photographs, const std::vector<Light>& lights, bool as_linear) {
+  photographs.linear = as_linear;
+  const Photographs linear = linearized(std::move(photographs));
+  const auto count = Eigen::Index(lights.size());
+  Eigen::MatrixX3d directions(count, 3);
+  std::vector<Grid<float>> greys;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    directions.row(k) = lights[std::size_t(k)].direction;
+    greys.push_back(equalized(linear.images[std::size_t(k)], lights[std::size_t(k)]));
+  }
+  const Eigen::MatrixXd inverse = directions.completeOrthogonalDecomposition().pseudoInverse();
+  std::vector<std::pair<double, double>> pixels;  // brightness, residual
+  const std::size_t stride = std::max<std::size_t>(1, greys[0].size() / 20000);
+  for (std::size_t i = 0; i < greys[0].size(); i += stride) {
+    if (!linear.mask.empty() && !linear.mask[i]) continue;
+    Eigen::VectorXd values(count);
+    for (Eigen::Index k = 0; k < count; ++k) values[k] = greys[std::size_t(k)][i];
+    const double residual = (values - directions * (inverse * values)).norm();
+    pixels.emplace_back(values.norm(), residual);
+  }
+  if (pixels.empty()) return 0.0;
+  std::sort(pixels.begin(), pixels.end());
+  std::vector<double> shares;
+  for (std::size_t i = pixels.size() / 2; i < pixels.size(); ++i) {
+    shares.push_back(pixels[i].second / std::max(pixels[i].first, 1e-12));
+  }
+  std::nth_element(shares.begin(), shares.begin() + std::ptrdiff_t(shares.size() / 2),
+                   shares.end());
+  return shares[shares.size() / 2];
+}
+
+}  // namespace
+
+std::vector<Light> lights_in(const CaptureFile& file) {
+  std::vector<Light> lights;
+  for (const auto& picture : file.pictures) {
+    if (!picture.direction) continue;
+    Light light;
+    light.image = picture.name;
+    light.direction = *picture.direction;
+    light.strength = picture.strength.value_or(Eigen::Vector3d::Ones());
+    lights.push_back(light);
+  }
+  if (!lights.empty() && lights.size() < file.pictures.size()) {
+    throw Error(fmt::format("{}: gives a light for {} of {} pictures; give one for each, or none",
+                            (file.folder / "capture.json").string(), lights.size(),
+                            file.pictures.size()));
+  }
+  return lights;
+}
+
+std::vector<Light> matched_lights(const std::vector<Light>& lights, const CaptureFile& file) {
+  std::vector<Light> matched;
+  for (const auto& picture : file.pictures) {
+    const auto same = std::find_if(lights.begin(), lights.end(),
+                                   [&](const Light& light) { return light.image == picture.name; });
+    if (same != lights.end()) matched.push_back(*same);
+  }
+  if (matched.size() == file.pictures.size()) return matched;
+  if (lights.size() != file.pictures.size()) {
+    throw Error(fmt::format(
+        "{}: {} pictures, but {} lights are given; calibrate with the same set of lights",
+        file.folder.string(), file.pictures.size(), lights.size()));
+  }
+  matched = lights;
+  for (std::size_t k = 0; k < matched.size(); ++k) matched[k].image = file.pictures[k].name;
+  return matched;
+}
+
+void settle_encoding(Photographs& photographs, const std::vector<Light>& lights) {
+  if (photographs.encoding_known) return;
+  if (lights.size() < 4) {
+    photographs.remarks.push_back(
+        "Too few pictures to tell how the 8-bit values are encoded; sRGB is assumed (say "
+        "\"encoding\" in capture.json if it is not).");
+    return;
+  }
+  const double linear = unexplained(photographs, lights, true);
+  const double srgb = unexplained(photographs, lights, false);
+  photographs.linear = linear <= srgb;
+  photographs.encoding_known = true;
+  photographs.remarks.push_back(fmt::format(
+      "The 8-bit pictures are read as {}: that leaves {:.1f} % of the brightness unexplained, the "
+      "other reading {:.1f} %.",
+      photographs.linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
+      100.0 * std::max(linear, srgb)));
+}
+
+LightStack light_stack(Photographs photographs, std::vector<Light> lights,
+                       const std::vector<Sphere>& spheres) {
+  const std::string folder = photographs.file.folder.string();
+  if (photographs.images.size() < 3) {
+    throw Error(
+        fmt::format("{}: {} picture{} given, at least 3 are needed, each lit from another side",
+                    folder, photographs.images.size(), photographs.images.size() == 1 ? "" : "s"));
+  }
+  assert(lights.size() == photographs.images.size());
+  scale_strengths(lights);
+  const int bits = photographs.bits;
+  photographs = linearized(std::move(photographs));
+
+  const int rows = photographs.camera.extent.rows;
+  const int cols = photographs.camera.extent.cols;
+  std::vector<Grid<float>> greys(lights.size());
+  for_each_index(int(lights.size()), [&](int k) {
+    greys[std::size_t(k)] = equalized(photographs.images[std::size_t(k)], lights[std::size_t(k)]);
+  });
+  Grid<float> mean(rows, cols);
+  Grid<float> brightest(rows, cols);
+  for (const auto& grey : greys) {
+    for (std::size_t i = 0; i < grey.size(); ++i) {
+      mean[i] += grey[i] / float(greys.size());
+      brightest[i] = std::max(brightest[i], grey[i]);
+    }
+  }
+
+  LightStack stack;
+  stack.camera = photographs.camera;
+  stack.mask = photographs.mask.empty() ? sample_mask(mean, spheres, photographs.file.sample_box)
+                                        : photographs.mask;
+  if (stack.mask.empty()) {
+    throw Error(folder +
+                ": no sample stands out from the background; give a mask or sample_box_px");
+  }
+  // Below two code values a sample is noise; below 3 % of the pixel's brightest it is shadow,
+  // filled only by what the surroundings throw back.
+  const float quantum = bits <= 16 ? 2.0f / float((1 << bits) - 1) : 0.0f;
+  stack.samples.assign(lights.size(), Grid<Sample>(rows, cols, Sample::lit));
+  for_each_index(int(lights.size()), [&](int k) {
+    const auto& grey = greys[std::size_t(k)];
+    auto& samples = stack.samples[std::size_t(k)];
+    for (std::size_t i = 0; i < grey.size(); ++i) {
+      if (photographs.saturated[std::size_t(k)][i]) {
+        samples[i] = Sample::saturated;
+      } else if (grey[i] <= std::max(0.03f * brightest[i], quantum)) {
+        samples[i] = Sample::shadowed;
+      }
+    }
+  });
+  stack.images = std::move(photographs.images);
+  stack.lights = std::move(lights);
+  return stack;
+}
+
+}  // namespace hada

@@ -1,0 +1,195 @@
+#include "capture/load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/core.h>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "io/image_file.h"
+
+namespace hada {
+namespace {
+
+void check_values(const std::string& name, const ImageFile& file) {
+  float lowest = HUGE_VALF;
+  float highest = -HUGE_VALF;
+  for (const auto& plane : file.image.planes) {
+    for (const float value : plane) {
+      if (!std::isfinite(value)) {
+        throw Error(name + ": holds values that are not numbers; export the picture again");
+      }
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  }
+  // One code value above zero is what a covered lens gives.
+  const float black = file.floating ? 0.0f : 1.5f / float((1 << std::min(file.bits, 16)) - 1);
+  if (highest <= black) {
+    throw Error(name + ": is all black; check the exposure or leave the picture out");
+  }
+  if (!file.floating && lowest >= 1.0f) {
+    throw Error(name + ": is all white; expose less or leave the picture out");
+  }
+}
+
+Mask saturated_pixels(const ImageFile& file) {
+  Mask saturated(file.image.rows(), file.image.cols(), 0);
+  if (file.floating) return saturated;  // a float file has no largest value
+  const float full = 1.0f - 0.5f / float((1 << std::min(file.bits, 16)) - 1);
+  for (const auto& plane : file.image.planes) {
+    for (std::size_t i = 0; i < plane.size(); ++i) saturated[i] |= plane[i] >= full;
+  }
+  return saturated;
+}
+
+std::string size_text(const Image& image) {
+  return fmt::format("{} x {} with {} channel{}", image.cols(), image.rows(), image.channels(),
+                     image.channels() == 1 ? "" : "s");
+}
+
+// An auxiliary picture (mask, dark, ambient, flat) of the same size as the others.
+Image companion(const std::filesystem::path& path, const Camera& camera) {
+  Image image = read_image(path).image;
+  if (image.rows() != camera.extent.rows || image.cols() != camera.extent.cols) {
+    throw Error(fmt::format("{}: is {} pixels, but the pictures are {} x {}; use one size",
+                            path.string(), size_text(image), camera.extent.cols,
+                            camera.extent.rows));
+  }
+  return image;
+}
+
+Mask mask_from(const std::filesystem::path& path, const Camera& camera) {
+  const Grid<float> grey = luminance(companion(path, camera));
+  Mask mask(grey.rows(), grey.cols());
+  std::transform(grey.begin(), grey.end(), mask.begin(), [](float g) { return g > 0.5f; });
+  if (std::none_of(mask.begin(), mask.end(), [](auto m) { return m != 0; })) {
+    throw Error(path.string() + ": no pixel of the mask is white; paint the sample white");
+  }
+  return mask;
+}
+
+Camera camera_of(const CaptureFile& file, const Image& first) {
+  Camera camera;
+  camera.extent = {first.rows(), first.cols(), file.pitch_mm.value_or(1.0),
+                   file.pitch_mm ? Unit::mm : Unit::px};
+  if (!file.camera || !file.camera->perspective) return camera;
+  camera.model = Camera::Model::perspective;
+  if (file.camera->focal_px) {
+    camera.focal_px = *file.camera->focal_px;
+  } else if (file.camera->distance_mm && file.pitch_mm) {
+    camera.focal_px = *file.camera->distance_mm / *file.pitch_mm;
+  } else {
+    throw Error((file.folder / "capture.json").string() +
+                ": a perspective camera needs focal_px, or distance_mm and pitch_mm");
+  }
+  return camera;
+}
+
+void decode_srgb(Image& image) {
+  for (auto& plane : image.planes) {
+    for (float& value : plane) value = linear_from_srgb(value);
+  }
+}
+
+// Plane by plane; a grey companion serves every plane.
+void subtract(Image& target, const Image& other) {
+  for (int c = 0; c < target.channels(); ++c) {
+    auto& plane = target.planes[std::size_t(c)];
+    const auto& minus = other.planes[std::size_t(std::min(c, other.channels() - 1))];
+    for (std::size_t i = 0; i < plane.size(); ++i) plane[i] -= minus[i];
+  }
+}
+
+// Divides by the flat field, scaled to a mean of 1 so that exposure keeps its meaning.
+void divide_by_flat(Image& target, const Image& flat) {
+  for (int c = 0; c < target.channels(); ++c) {
+    auto& plane = target.planes[std::size_t(c)];
+    const auto& by = flat.planes[std::size_t(std::min(c, flat.channels() - 1))];
+    double sum = 0.0;
+    for (const float value : by) sum += value;
+    const double mean = sum / double(by.size());
+    // Where the flat field is nearly black the quotient would be noise: leave such pixels dark.
+    const float least = float(0.02 * mean);
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      plane[i] = by[i] > least ? float(plane[i] * mean / by[i]) : 0.0f;
+    }
+  }
+}
+
+}  // namespace
+
+Photographs load_photographs(const CaptureFile& file) {
+  if (file.pictures.empty()) {
+    throw Error(file.folder.string() + ": holds no pictures; put one picture per light there");
+  }
+  Photographs photographs;
+  photographs.file = file;
+  const std::size_t count = file.pictures.size();
+  std::vector<ImageFile> files(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    files[k] = read_image(file.pictures[k].file);
+    check_values(file.pictures[k].file.string(), files[k]);
+    if (files[k].image.rows() != files[0].image.rows() ||
+        files[k].image.cols() != files[0].image.cols() ||
+        files[k].image.channels() != files[0].image.channels()) {
+      throw Error(fmt::format("{}: is {}, but {} is {}; all pictures must be of one size",
+                              file.pictures[k].file.string(), size_text(files[k].image),
+                              file.pictures[0].name, size_text(files[0].image)));
+    }
+  }
+  const Image& first = files[0].image;
+  constexpr int smallest_side = 16;  // a sphere and a sample cannot share fewer pixels
+  if (std::min(first.rows(), first.cols()) < smallest_side) {
+    throw Error(fmt::format("{}: is only {} pixels; a sample needs at least {} x {}",
+                            file.pictures[0].file.string(), size_text(first), smallest_side,
+                            smallest_side));
+  }
+  photographs.camera = camera_of(file, first);
+  photographs.bits = 32;
+  bool all_deep = true;
+  for (ImageFile& read : files) {
+    photographs.bits = std::min(photographs.bits, read.bits);
+    all_deep = all_deep && (read.floating || read.bits > 8);
+    photographs.saturated.push_back(saturated_pixels(read));
+    photographs.images.push_back(std::move(read.image));
+  }
+  // 8-bit files nearly always carry the sRGB curve, deeper ones nearly never do.
+  photographs.linear = file.encoding == "linear" || (file.encoding == "auto" && all_deep);
+  photographs.encoding_known = file.encoding != "auto" || all_deep;
+  if (file.mask) photographs.mask = mask_from(*file.mask, photographs.camera);
+  for (const auto& name : file.left_out) photographs.remarks.push_back("Left out: " + name + ".");
+  return photographs;
+}
+
+Photographs linearized(Photographs photographs) {
+  const CaptureFile& file = photographs.file;
+  const auto read_linear = [&](const std::optional<std::filesystem::path>& path) {
+    std::optional<Image> image;
+    if (path) image = companion(*path, photographs.camera);
+    if (image && !photographs.linear) decode_srgb(*image);
+    return image;
+  };
+  const auto dark = read_linear(file.dark);
+  auto ambient = read_linear(file.ambient);
+  auto flat = read_linear(file.flat);
+  if (flat && dark) subtract(*flat, *dark);
+  // The ambient frame holds the dark signal too: subtracting it removes both.
+  const Image* const background = ambient ? &*ambient : dark ? &*dark : nullptr;
+  for_each_index(int(photographs.images.size()), [&](int k) {
+    Image& image = photographs.images[std::size_t(k)];
+    if (!photographs.linear) decode_srgb(image);
+    if (background) subtract(image, *background);
+    if (flat) divide_by_flat(image, *flat);
+  });
+  photographs.linear = true;
+  photographs.encoding_known = true;
+  photographs.file.dark.reset();
+  photographs.file.ambient.reset();
+  photographs.file.flat.reset();
+  return photographs;
+}
+
+}  // namespace hada

@@ -1,0 +1,188 @@
+#include "capture/matte_sphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+#include "capture/sphere_geometry.h"
+#include "core/parallel.h"
+
+namespace hada {
+namespace {
+
+struct DiscPoint {
+  Eigen::Vector3d normal;
+  double value;
+  int block;  // 0 to 15: eight sectors, inner and outer half of the area
+};
+
+constexpr int blocks = 16;
+
+int block_of(const Eigen::Vector2d& from_center, double radius_px) {
+  const double turn = std::atan2(from_center.y(), from_center.x()) / (2.0 * std::numbers::pi) + 0.5;
+  const int sector = std::min(7, int(8.0 * turn));
+  return 2 * sector + (from_center.squaredNorm() > 0.5 * radius_px * radius_px ? 1 : 0);
+}
+
+// The unsaturated pixels of the disc, thinned to about six thousand.
+std::vector<DiscPoint> disc_points(const Grid<float>& grey, const Mask& saturated,
+                                   const Camera& camera, const Sphere& sphere, double rim) {
+  const SphereInSpace in_place = in_space(sphere, camera);
+  const double reach = rim * sphere.radius_px;
+  const int stride = std::max(1, int(std::sqrt(3.1416 * reach * reach / 6000.0)));
+  std::vector<DiscPoint> points;
+  const int first_row = std::max(0, int(sphere.center_px.y() - reach));
+  const int first_col = std::max(0, int(sphere.center_px.x() - reach));
+  const int last_row = std::min(grey.rows() - 1, int(sphere.center_px.y() + reach));
+  const int last_col = std::min(grey.cols() - 1, int(sphere.center_px.x() + reach));
+  for (int row = first_row; row <= last_row; row += stride) {
+    for (int col = first_col; col <= last_col; col += stride) {
+      const Eigen::Vector2d from_center = Eigen::Vector2d(col + 0.5, row + 0.5) - sphere.center_px;
+      if (from_center.norm() > reach || saturated(row, col)) continue;
+      const auto normal = in_place.normal_at(camera, col + 0.5, row + 0.5);
+      if (!normal) continue;
+      points.push_back({*normal, grey(row, col), block_of(from_center, sphere.radius_px)});
+    }
+  }
+  return points;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// One weighted step on the clipped cosine; Tukey's weights at a width of `width` (infinite: none).
+void improve(MatteShading& shading, const std::vector<DiscPoint>& points, double width,
+             int without_block) {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (const DiscPoint& point : points) {
+    if (point.block == without_block) continue;
+    const double lit = point.normal.dot(shading.b);
+    const double residual = point.value - std::max(0.0, lit) - shading.ambient;
+    const double t = residual / width;
+    if (std::abs(t) >= 1.0) continue;
+    const double weight = (1.0 - t * t) * (1.0 - t * t);
+    Eigen::Vector4d jacobian(0.0, 0.0, 0.0, 1.0);
+    if (lit > 0.0) jacobian.head<3>() = point.normal;
+    normal += weight * jacobian * jacobian.transpose();
+    right += weight * residual * jacobian;
+  }
+  normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
+  const Eigen::Vector4d step = normal.ldlt().solve(right);
+  shading.b += step.head<3>();
+  shading.ambient += step[3];
+}
+
+// A width for Tukey's weights: 4.685 robust standard deviations of the residuals.
+double tukey_width(const MatteShading& shading, const std::vector<DiscPoint>& points) {
+  std::vector<double> sizes;
+  sizes.reserve(points.size());
+  for (const DiscPoint& point : points) {
+    const double lit = std::max(0.0, point.normal.dot(shading.b));
+    sizes.push_back(std::abs(point.value - lit - shading.ambient));
+  }
+  return std::max(4.685 * 1.4826 * median(std::move(sizes)), 1e-3 * shading.b.norm() + 1e-12);
+}
+
+MatteShading shading_of(const std::vector<DiscPoint>& points) {
+  MatteShading shading;
+  if (points.size() < 30) return shading;
+  double sum = 0.0;
+  for (const DiscPoint& point : points) sum += point.value;
+  const double mean = sum / double(points.size());
+  double squares = 0.0;
+  for (const DiscPoint& point : points) squares += (point.value - mean) * (point.value - mean);
+  const double deviation = std::sqrt(squares / double(points.size()));
+  // The start: the mean normal weighted by brightness points roughly at the light.
+  for (const DiscPoint& point : points) shading.b += point.value * point.normal;
+  shading.b *= 2.0 * mean / std::max(shading.b.norm(), 1e-300);
+  for (int round = 0; round < 6; ++round) {
+    improve(shading, points, std::numeric_limits<double>::infinity(), -1);
+  }
+  for (int round = 0; round < 12; ++round) {
+    improve(shading, points, tukey_width(shading, points), -1);
+  }
+  double misfit = 0.0;
+  for (const DiscPoint& point : points) {
+    const double lit = std::max(0.0, point.normal.dot(shading.b));
+    misfit += std::pow(point.value - lit - shading.ambient, 2);
+  }
+  shading.misfit = std::sqrt(misfit / double(points.size())) / std::max(deviation, 1e-300);
+  shading.spread = deviation / std::max(mean, 1e-300);
+  if (!shading.b.allFinite() || !std::isfinite(shading.ambient)) return MatteShading{};
+  return shading;
+}
+
+// Variance of the direction by leaving out one block of the disc at a time (delete-a-group
+// jackknife), per tangent axis.
+double jackknife_variance(const MatteShading& shading, const std::vector<DiscPoint>& points) {
+  const Eigen::Vector3d direction = shading.b.normalized();
+  const double width = tukey_width(shading, points);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  std::array<Eigen::Vector3d, blocks> without;
+  for (int block = 0; block < blocks; ++block) {
+    MatteShading part = shading;
+    for (int round = 0; round < 4; ++round) improve(part, points, width, block);
+    without[std::size_t(block)] = part.b.normalized();
+    mean += without[std::size_t(block)] / blocks;
+  }
+  double squares = 0.0;
+  for (const auto& other : without) {
+    const Eigen::Vector3d off = other - mean;
+    squares += (off - off.dot(direction) * direction).squaredNorm();
+  }
+  return 0.5 * squares * (blocks - 1.0) / blocks;
+}
+
+}  // namespace
+
+MatteShading matte_shading(const Grid<float>& grey, const Mask& saturated, const Camera& camera,
+                           const Sphere& sphere, double rim) {
+  return shading_of(disc_points(grey, saturated, camera, sphere, rim));
+}
+
+SphereReading read_matte_sphere(const Photographs& linear, const Sphere& sphere) {
+  constexpr double rim = 0.95;
+  SphereReading reading;
+  reading.sphere = sphere;
+  const std::size_t count = linear.images.size();
+  reading.lights.resize(count);
+  reading.highlights_px.resize(count);
+  std::vector<double> misfits(count);
+  for_each_index(int(count), [&](int picture) {
+    const auto k = std::size_t(picture);
+    const Image& image = linear.images[k];
+    const auto points =
+        disc_points(luminance(image), linear.saturated[k], linear.camera, sphere, rim);
+    const MatteShading shading = shading_of(points);
+    Light& light = reading.lights[k];
+    light.image = linear.file.pictures[k].name;
+    light.direction_sigma = std::numeric_limits<double>::infinity();
+    misfits[k] = shading.misfit;
+    constexpr double hopeless = 0.7;  // half of the variance unexplained: this is not shading
+    if (!(shading.b.norm() > 0.0) || shading.b.z() <= 0.0 || shading.misfit > hopeless) return;
+    light.direction = shading.b.normalized();
+    const double circle = sphere.sigma_px / sphere.radius_px;
+    light.direction_sigma = std::sqrt(jackknife_variance(shading, points) + circle * circle);
+    for (int c = 0; c < 3; ++c) {
+      const auto& plane = image.planes[std::size_t(std::min(c, image.channels() - 1))];
+      light.strength[c] =
+          image.channels() == 1
+              ? shading.b.norm()
+              : matte_shading(plane, linear.saturated[k], linear.camera, sphere, rim).b.norm();
+    }
+    const Eigen::Vector2d towards(light.direction.x(), -light.direction.y());
+    reading.highlights_px[k] = sphere.center_px + sphere.radius_px * towards;
+  });
+  reading.misfit = median(misfits);
+  return reading;
+}
+
+}  // namespace hada

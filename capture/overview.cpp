@@ -1,0 +1,45 @@
+#include "capture/overview.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace hada {
+namespace {
+
+float high_quantile(Grid<float> values, double share) {
+  const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+}  // namespace
+
+Overview overview(const Photographs& photographs) {
+  Overview all;
+  for (const Image& image : photographs.images) all.greys.push_back(luminance(image));
+  const int rows = all.greys[0].rows();
+  const int cols = all.greys[0].cols();
+  // Below this the logarithm would only magnify noise and code values.
+  const float least = std::max(0.002f * high_quantile(all.greys[0], 0.99),
+                               photographs.bits <= 8 ? 1.0f / 255.0f : 1e-5f);
+  all.mean_log = all.brightest = all.brightest_log = Grid<float>(rows, cols);
+  for_each_index(rows, [&](int row) {
+    for (int col = 0; col < cols; ++col) {
+      double sum = 0.0;
+      float highest = 0.0f;
+      for (const auto& grey : all.greys) {
+        const float value = std::max(grey(row, col), 0.0f);
+        sum += std::log(value + least);
+        highest = std::max(highest, value);
+      }
+      all.mean_log(row, col) = float(sum / double(all.greys.size()));
+      all.brightest(row, col) = highest;
+      all.brightest_log(row, col) = std::log(highest + least);
+    }
+  });
+  return all;
+}
+
+}  // namespace hada

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "capture/load.h"
+#include "core/grid.h"
+
+namespace hada {
+
+/// What all pictures together show, in two lights: the mean of the logarithms (outlines of dark
+/// things against dark tables) and the brightest of all (whole discs of matte spheres).
+struct Overview {
+  std::vector<Grid<float>> greys;
+  Grid<float> mean_log;
+  Grid<float> brightest;
+  Grid<float> brightest_log;
+};
+
+Overview overview(const Photographs& photographs);
+
+}  // namespace hada
