@@ -15,17 +15,18 @@ namespace {
 constexpr double emptied_by_levelling = 1.5;  // frequency steps
 
 struct Sums {
-  double fx = 0.0, fy = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, power = 0.0;
+  double fx = 0.0, fy = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, power = 0.0, near = 0.0, far = 0.0;
   int count = 0;
 };
 
-Cell cell_from(const Sums& sums, const Spectrum& spectrum) {
+Cell cell_from(const Sums& sums, const Spectrum& spectrum, double far_share) {
   const double n = sums.count;
   const double fx = sums.fx / n, fy = sums.fy / n;
   constexpr double narrowing = 2.0 * std::numbers::pi * std::numbers::pi;
   return {.fx = fx,
           .fy = fy,
           .power = sums.power / n,
+          .leakage = std::max(sums.far - far_share / (1.0 - far_share) * sums.near, 0.0) / n,
           .count = sums.count,
           .xx = spectrum.window_x + narrowing * (sums.xx / n - fx * fx),
           .xy = narrowing * (sums.xy / n - fx * fy),
@@ -34,13 +35,18 @@ Cell cell_from(const Sums& sums, const Spectrum& spectrum) {
 
 }  // namespace
 
-std::vector<Cell> cells_of(const Spectrum& spectrum, const CellOptions& options) {
+std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
+                           const CellOptions& options) {
   const Extent& extent = spectrum.extent;
   const double step = 1.0 / std::min(extent.width(), extent.height());
   const double inner = options.inner_bins * step;
   const int sectors = int(std::ceil(std::numbers::pi / options.growth));
 
   std::vector<Cell> cells;
+  const auto append = [&](const Sums& sums) {
+    if (sums.far <= options.most_leakage * (sums.near + sums.far))
+      cells.push_back(cell_from(sums, spectrum, leakage.far_share));
+  };
   std::map<std::pair<int, int>, Sums> outer;  // by ring and sector
   for (int row = 0; row < extent.rows; ++row) {
     const int i = signed_frequency(row, extent.rows);
@@ -52,9 +58,11 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const CellOptions& options)
       const double radius = std::hypot(fx, fy);
       if (radius >= 0.5 / extent.pitch) continue;
       const double power = spectrum.power(row, col);
-      const Sums alone{fx, fy, fx * fx, fx * fy, fy * fy, power, 1};
+      const Sums alone{
+          fx, fy, fx * fx, fx * fy, fy * fy, power, leakage.near(row, col), leakage.far(row, col),
+          1};
       if (radius < inner) {
-        cells.push_back(cell_from(alone, spectrum));
+        append(alone);
         continue;
       }
       const double turn = half_turn(std::atan2(fy, fx)) / std::numbers::pi;
@@ -67,10 +75,12 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const CellOptions& options)
       sums.xy += alone.xy;
       sums.yy += alone.yy;
       sums.power += power;
+      sums.near += alone.near;
+      sums.far += alone.far;
       ++sums.count;
     }
   }
-  for (const auto& [place, sums] : outer) cells.push_back(cell_from(sums, spectrum));
+  for (const auto& [place, sums] : outer) append(sums);
   return cells;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "measure/leakage.h"
 #include "measure/spectrum.h"
 
 namespace hada {
@@ -10,8 +11,9 @@ namespace hada {
 struct Cell {
   double fx = 0.0;  // mean frequency, cycles per unit
   double fy = 0.0;
-  double power = 0.0;  // mean, unit^4
-  int count = 0;       // ordinates; f and -f count once
+  double power = 0.0;    // mean, unit^4
+  double leakage = 0.0;  // power from afar, beyond what a flat spectrum would send, unit^4
+  int count = 0;         // ordinates; f and -f count once
   /// What tapering the map and averaging over the cell do to an autocovariance: both multiply it
   /// by exp(-(xx dx^2 + 2 xy dx dy + yy dy^2)), 1/unit^2.
   double xx = 0.0;
@@ -20,16 +22,18 @@ struct Cell {
 };
 
 struct CellOptions {
-  double inner_bins = 16.0;  // up to this many frequency steps from 0 an ordinate stays alone
-  double growth = 0.06;      // size of a cell further out, as a share of its distance from 0
+  double inner_bins = 16.0;    // up to this many frequency steps from 0 an ordinate stays alone
+  double growth = 0.06;        // size of a cell further out, as a share of its distance from 0
+  double most_leakage = 0.15;  // share of a cell's power; a cell with more is left out
 };
 
 /// The half plane of a spectrum, cut into cells that grow with their distance from frequency 0.
 ///
 /// Left out are the frequencies within 1.5 steps of 0, which taking off a mean or a plane empties,
-/// and those beyond the Nyquist circle. The mean of S over a cell is, to third order in its size,
-/// the transform of an autocovariance narrowed by twice pi^2 times the scatter of its frequencies:
-/// that is where `xx`, `xy` and `yy` come from.
-std::vector<Cell> cells_of(const Spectrum& spectrum, const CellOptions& options = {});
+/// those beyond the Nyquist circle, and those that hold little but leakage. The mean of S over a
+/// cell is, to third order in its size, the transform of an autocovariance narrowed by twice pi^2
+/// times the scatter of its frequencies: that is where `xx`, `xy` and `yy` come from.
+std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
+                           const CellOptions& options = {});
 
 }  // namespace hada

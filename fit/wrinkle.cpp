@@ -44,8 +44,9 @@ Observation observe(const Surface& surface) {
   if (surface.extent.unit == Unit::px) {
     seen.remarks.push_back("The pitch is unknown: lengths and amplitudes count pixels, not mm.");
   }
-  seen.coarse = cells_of(seen.spectrum, coarse_cells);
-  seen.fine = cells_of(seen.spectrum);
+  const Leakage leaked = leakage(seen.spectrum);
+  seen.coarse = cells_of(seen.spectrum, leaked, coarse_cells);
+  seen.fine = cells_of(seen.spectrum, leaked);
   double highest = 0.0;
   for (const Cell& cell : seen.fine) highest = std::max(highest, cell.power);
   if (!(highest > 0.0)) {
@@ -61,7 +62,8 @@ Observation observe(const Surface& surface) {
 /// The expected power of every cell.
 template <class T>
 std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cells) {
-  std::vector<T> sums(cells.size(), wrinkle.floor_mm4);
+  std::vector<T> sums;
+  for (const Cell& cell : cells) sums.push_back(wrinkle.floor_mm4 + cell.leakage);
   for (const auto& component : wrinkle.components) {
     const auto covariance = autocovariance(component);
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -143,7 +143,7 @@ Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& 
   if (box.rows < fewest_pixels || box.cols < fewest_pixels) {
     throw Error("spectrum: the mask is smaller than 8 x 8 pixels; measure a larger sample");
   }
-  const auto weight = taper_of(crop(mask, box.row, box.col, box.rows, box.cols), options.taper);
+  auto weight = taper_of(crop(mask, box.row, box.col, box.rows, box.cols), options.taper);
   const auto squared = times(weight, weight);
   const double sum_w2 = sum_of(squared);
   const double sum_w4 = sum_of(times(squared, squared));
@@ -164,6 +164,7 @@ Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& 
       spectrum.power(row, col) = std::norm(value) * pitch2 / sum_w2;
     }
   });
+  spectrum.taper = std::move(weight);
   return spectrum;
 }
 

@@ -8,7 +8,8 @@ namespace hada {
 /// The tapered two-dimensional power spectrum of a map, in physical units.
 struct Spectrum {
   Grid<double> power;  // unit^4 (mm^2 per (cycle/mm)^2), rows x cols, frequency 0 at (0, 0)
-  Extent extent;       // of the map that was measured
+  Extent extent;       // of the part of the map that was measured: the bounding box of its mask
+  Grid<double> taper;  // the weight w of every pixel of that part, 0 to 1
   /// What part of a periodogram ordinate is independent of its neighbours:
   /// (sum w^2)^2 / (N sum w^4), 1 without a taper.
   double independence = 1.0;
