@@ -1,0 +1,124 @@
+#include "reconstruct/integrate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "reconstruct/regions.h"
+#include "scenes.h"
+
+namespace hada {
+namespace {
+
+TEST(Integrate, ReturnsATiltedPlane) {
+  const Relief plane = relief_of(
+      40, 60, [](double x, double y) { return Eigen::Vector3d(0.3 * x - 0.2 * y, 0.3, -0.2); });
+  const Mask mask = full_mask(plane.extent);
+  // Normals are floats: slopes are off by 6e-8, the same everywhere, over 36 px to the corner.
+  EXPECT_LT(rms_difference(integrate(plane.normals, mask, 1.0), plane.height, mask), 5e-6);
+}
+
+TEST(Integrate, IsExactForAQuadraticSurface) {
+  const Relief bowl = relief_of(50, 50, [](double x, double y) {
+    return Eigen::Vector3d(0.01 * x * x - 0.02 * x * y + 0.005 * y * y, 0.02 * x - 0.02 * y,
+                           -0.02 * x + 0.01 * y);
+  });
+  const Mask mask = full_mask(bowl.extent);
+  // Only the rounding of the normals (6e-8 of slopes up to 1) and of heights up to 20 is left.
+  EXPECT_LT(rms_difference(integrate(bowl.normals, mask, 1.0), bowl.height, mask), 1e-5);
+}
+
+TEST(Integrate, ReturnsTheSphericalCapItCameFrom) {
+  constexpr double radius = 120.0;
+  const Relief cap = relief_of(100, 100, [](double x, double y) {
+    const double z = std::sqrt(radius * radius - x * x - y * y);
+    return Eigen::Vector3d(z, -x / z, -y / z);
+  });
+  const Mask mask = full_mask(cap.extent);
+  // A trapezoidal step errs by z''' / 12; along a path from the centre to x these add up to
+  // (z''(x) - z''(0)) / 12, and z'' goes from -1 / radius to about -3 / radius at the corner.
+  EXPECT_LT(rms_difference(integrate(cap.normals, mask, 1.0), cap.height, mask),
+            2.0 / (12.0 * radius));
+}
+
+TEST(Integrate, GivesTheHeightInTheUnitOfThePitch) {
+  const Relief relief = waves(30, 40);
+  const Mask mask = full_mask(relief.extent);
+  const auto pixels = integrate(relief.normals, mask, 1.0);
+  const auto millimetres = integrate(relief.normals, mask, 0.25);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    ASSERT_NEAR(millimetres[i], 0.25f * pixels[i], 1e-6f);
+  }
+}
+
+TEST(Integrate, AgreesWithPlainConjugateGradientsOnTornMasks) {
+  for (Seed seed = 1; seed <= 3; ++seed) {
+    const Mask mask = torn_mask(90, 110, seed);
+    Relief relief = waves(90, 110);
+    for (std::size_t i = 0; i < relief.normals.size(); ++i) {  // slopes that no surface has
+      const auto key = std::int64_t(i);
+      const Eigen::Vector3f noise(float(0.1 * gaussian(seed, key, 1)),
+                                  float(0.1 * gaussian(seed, key, 2)), 0.0f);
+      relief.normals[i] = (relief.normals[i] + noise).normalized();
+    }
+    const auto fast = integrate(relief.normals, mask, 1.0);
+    const auto reference = integrate_reference(relief.normals, mask, 1.0);
+    // The contract; floats of heights of a few px are rounded by 1e-7 of them.
+    EXPECT_LT(rms_difference(fast, reference, mask), 1e-5) << "seed " << seed;
+  }
+}
+
+TEST(Integrate, LevelsEachRegionOnItsOwn) {
+  const Mask mask = torn_mask(90, 110, 4);
+  const Regions regions = regions_of(mask);
+  ASSERT_GT(regions.size.size(), 4u);
+  const auto height = integrate(waves(90, 110).normals, mask, 1.0);
+  std::vector<double> sum(regions.size.size(), 0.0);
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    sum[std::size_t(regions.label[i])] += height[i];
+  }
+  EXPECT_EQ(sum[0], 0.0);  // outside the mask
+  for (std::size_t region = 1; region < sum.size(); ++region) {
+    // Each height (up to 4 px) is rounded to a float: 2.4e-7 at most.
+    EXPECT_NEAR(sum[region] / regions.size[region], 0.0, 2.4e-7);
+    if (regions.size[region] == 1) {
+      EXPECT_EQ(sum[region], 0.0);
+    }
+  }
+}
+
+TEST(Integrate, DoesNotReadOutsideTheMask) {
+  Relief relief = waves(40, 40);
+  const Mask mask = torn_mask(40, 40, 5);
+  const auto height = integrate(relief.normals, mask, 1.0);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) relief.normals[i] = Eigen::Vector3f::Constant(std::nanf(""));
+  }
+  EXPECT_EQ(integrate(relief.normals, mask, 1.0), height);
+}
+
+TEST(Integrate, GivesTheSameBytesAtAnyThreadCount) {
+  const Relief relief = waves(450, 500);  // large enough for the coarser levels to be shared out
+  const Mask mask = torn_mask(450, 500, 6);
+  set_threads(1);
+  const auto one = integrate(relief.normals, mask, 1.0);
+  set_threads(2);
+  const auto two = integrate(relief.normals, mask, 1.0);
+  set_threads(0);
+  EXPECT_EQ(one, two);
+}
+
+TEST(Integrate, RefusesAnEmptyMask) {
+  EXPECT_THROW(integrate(NormalMap(3, 3, Eigen::Vector3f::UnitZ()), Mask(3, 3, 0), 1.0), Error);
+}
+
+TEST(Integrate, LeavesASinglePixelAtZero) {
+  EXPECT_EQ(integrate(NormalMap(1, 1, Eigen::Vector3f(0.6f, 0.0f, 0.8f)), Mask(1, 1, 1), 1.0)(0, 0),
+            0.0f);
+}
+
+}  // namespace
+}  // namespace hada

@@ -1,0 +1,123 @@
+#include "reconstruct/reconstruct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "scenes.h"
+
+namespace hada {
+namespace {
+
+bool any_says(const std::vector<std::string>& remarks, const std::string& words) {
+  return std::any_of(remarks.begin(), remarks.end(), [&](const std::string& remark) {
+    return remark.find(words) != std::string::npos;
+  });
+}
+
+TEST(Reconstruct, ReturnsTheReliefItWasPicturedFrom) {
+  const Relief relief = waves(80, 100);
+  const Reconstruction found =
+      reconstruct(pictures_of(relief, ring_of_lights(8)), {.levelling = Levelling::offset});
+  // Trapezoidal steps: z''' / 12 adds up to a change of z'' / 12, and z'' is at most 0.1.
+  EXPECT_LT(rms_difference(found.surface.height, relief.height, found.surface.mask), 0.1 / 12.0);
+  EXPECT_EQ(found.surface.levelling, "offset");
+  EXPECT_EQ(found.remarks, std::vector<std::string>());
+}
+
+TEST(Reconstruct, ErrsAsMuchInHeightAsItSays) {
+  const Relief relief = waves(80, 100);
+  const LightStack clean = pictures_of(relief, ring_of_lights(8));
+  const auto truth = reconstruct(clean).surface;
+  const auto found = reconstruct(pictures_of(relief, ring_of_lights(8), {.noise = 0.01})).surface;
+  double sigma = 0.0;
+  for (const float value : found.height_sigma) sigma += double(value) * value;
+  sigma = std::sqrt(sigma / double(found.height_sigma.size()));
+  const double error = rms_difference(found.height, truth.height, found.mask);
+  // A few dozen independent long waves carry most of one picture's error: good to 15 %, twice.
+  EXPECT_NEAR(error / sigma, 1.0, 0.3);
+}
+
+TEST(Reconstruct, CropsToTheMaskAndRemembersWhere) {
+  LightStack stack = pictures_of(waves(40, 60), ring_of_lights(6));
+  stack.mask = Mask(40, 60, 0);
+  for (int row = 10; row < 30; ++row) {
+    for (int col = 25; col < 50; ++col) stack.mask(row, col) = 1;
+  }
+  stack.camera.extent.pitch = 0.2;
+  stack.camera.extent.unit = Unit::mm;
+  const Surface surface = reconstruct(stack).surface;
+  EXPECT_EQ(surface.extent, (Extent{.rows = 20, .cols = 25, .pitch = 0.2, .unit = Unit::mm}));
+  EXPECT_EQ(surface.offset_px, Eigen::Vector2i(25, 10));
+  EXPECT_TRUE(surface.mask.same_size(surface.height));
+  EXPECT_TRUE(surface.mask.same_size(surface.normals));
+  EXPECT_TRUE(surface.mask.same_size(surface.albedo.planes[0]));
+  EXPECT_TRUE(surface.mask.same_size(surface.normal_sigma));
+  EXPECT_TRUE(surface.mask.same_size(surface.height_sigma));
+  EXPECT_EQ(surface.levelling, "plane");
+}
+
+TEST(Reconstruct, SaysWhenThereAreFewLights) {
+  EXPECT_TRUE(
+      any_says(reconstruct(pictures_of(waves(20, 20), ring_of_lights(3))).remarks, "three lights"));
+  EXPECT_TRUE(any_says(reconstruct(pictures_of(waves(20, 20), ring_of_lights(4))).remarks,
+                       "only 4 lights"));
+}
+
+TEST(Reconstruct, SaysWhenLightsLieCloseToOnePlane) {
+  std::vector<Light> lights = ring_of_lights(8);
+  for (Light& light : lights) {
+    light.direction.y() *= 0.1;
+    light.direction.normalize();
+  }
+  EXPECT_TRUE(any_says(reconstruct(pictures_of(waves(20, 20), lights)).remarks, "one plane"));
+}
+
+TEST(Reconstruct, SaysWhenManyPixelsAreLost) {
+  LightStack stack = pictures_of(waves(20, 20), ring_of_lights(6));
+  for (auto& samples : stack.samples) {
+    for (int col = 0; col < 10; ++col) samples(5, col) = Sample::saturated;
+  }
+  const Reconstruction found = reconstruct(stack);
+  EXPECT_TRUE(any_says(found.remarks, "2.5 % of the pixels"));
+  EXPECT_FALSE(found.surface.mask(5, 3));
+}
+
+TEST(Reconstruct, SaysWhenTheSurfaceIsNotMatte) {
+  LightStack stack = pictures_of(waves(20, 20), ring_of_lights(6));
+  for (float& value : stack.images[1].planes[0]) value += 0.5f;
+  EXPECT_TRUE(any_says(reconstruct(stack).remarks, "matte surface"));
+}
+
+TEST(Reconstruct, SaysWhenRegionsAreSeparate) {
+  LightStack stack = pictures_of(waves(20, 20), ring_of_lights(6));
+  for (int row = 0; row < 20; ++row) stack.mask(row, 10) = 0;
+  EXPECT_TRUE(any_says(reconstruct(stack).remarks, "2 separate regions"));
+}
+
+TEST(Reconstruct, RefusesAnEmptyMaskAndBlackPictures) {
+  LightStack stack = pictures_of(waves(10, 10), ring_of_lights(6));
+  for (Image& image : stack.images) image = Image(10, 10, 1);
+  EXPECT_THROW(reconstruct(stack), Error);
+  stack.mask = Mask(10, 10, 0);
+  EXPECT_THROW(reconstruct(stack), Error);
+}
+
+TEST(Reconstruct, GivesTheSameBytesAtAnyThreadCount) {
+  const LightStack stack = pictures_of(waves(41, 40), ring_of_lights(5), {.noise = 0.01});
+  set_threads(1);
+  const Surface one = reconstruct(stack).surface;
+  set_threads(2);
+  const Surface two = reconstruct(stack).surface;
+  set_threads(0);
+  EXPECT_EQ(one.height, two.height);
+  EXPECT_EQ(one.height_sigma, two.height_sigma);
+  EXPECT_EQ(one.normals, two.normals);
+}
+
+}  // namespace
+}  // namespace hada
