@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include <dlfcn.h>
@@ -10,6 +12,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/image_module.h"
+#include "io/whole_file.h"
 
 namespace hada {
 namespace {
@@ -41,6 +44,11 @@ const ImageModule& image_module() {
   return module;
 }
 
+std::string bytes_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
 void write(const fs::path& path, const Image& image, ImageModule::Storage storage) {
   if (image.rows() == 0 || image.cols() == 0) {
     throw Error(path.string() + ": a picture without pixels cannot be written");
@@ -62,6 +70,9 @@ ImageFile read_image(const fs::path& path) {
   }
   if (fs::file_size(path, ignored) == 0) {
     throw Error(path.string() + ": is empty; copy or export it again");
+  }
+  if (!is_whole(bytes_of(path))) {
+    throw Error(path.string() + ": is damaged or not complete; copy or export it again");
   }
   ImageFile file;
   const auto problem = image_module().read(path.string(), threads(), file);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <mutex>
 
@@ -83,13 +82,6 @@ int bits_of(const OIIO::ImageSpec& spec, bool floating) {
   return said > 0 ? std::min(said, stored) : stored;
 }
 
-// The JPEG library fills what is missing with grey and only warns; a whole file has an end marker.
-bool jpeg_has_end(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return bytes.rfind("\xff\xd9") != std::string::npos;
-}
-
 std::string read_open_file(OIIO::ImageInput& input, const std::string& path, ImageFile& file) {
   const OIIO::ImageSpec& spec = input.spec();
   if (auto problem = size_problem(spec, path); !problem.empty()) return problem;
@@ -98,7 +90,6 @@ std::string read_open_file(OIIO::ImageInput& input, const std::string& path, Ima
     return "has " + std::to_string(spec.nchannels) +
            " channels and none named Y or R, G, B; export grey or colour";
   }
-  if (input.format_name() == std::string("jpeg") && !jpeg_has_end(path)) return damaged("");
 
   const auto [first, last] = std::minmax_element(channels.begin(), channels.end());
   const int stride = *last - *first + 1;

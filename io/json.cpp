@@ -103,6 +103,10 @@ bool JsonObject::has(const std::string& key) {
   return json_.contains(key);
 }
 
+bool JsonObject::is_list(const std::string& key) {
+  return has(key) && json_.at(key).is_array();
+}
+
 const Json& JsonObject::at(const std::string& key) {
   if (!has(key)) fail(key, "is missing; add it");
   return json_.find(key).value();

@@ -30,6 +30,7 @@ class JsonObject {
   JsonObject(const Json& json, std::string where);
 
   bool has(const std::string& key);
+  bool is_list(const std::string& key);
   /// throws  Error naming the place and the key if it is missing, of another type or not finite
   double number(const std::string& key);
   double number(const std::string& key, double otherwise);

@@ -1,0 +1,97 @@
+#include "io/lights_file.h"
+
+#include <numbers>
+
+#include "io/json_light.h"
+
+namespace hada {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+std::string entry(const std::string& file, const std::string& list, std::size_t i) {
+  return file + ": " + list + "[" + std::to_string(i) + "]";
+}
+
+Light light_from(JsonObject object) {
+  Light light;
+  light.image = object.text("image");
+  light.direction = direction_from(object, "direction");
+  light.strength = strength_from(object, "strength");
+  light.direction_sigma = object.number("direction_sigma_deg", 0.0) * degree;
+  if (light.direction_sigma < 0.0) object.fail("direction_sigma_deg", "must not be negative");
+  if (object.has("position_mm")) light.position = vector_from(object, "position_mm");
+  object.finish();
+  return light;
+}
+
+Json json_of_light(const Light& light) {
+  Json json = {{"image", light.image},
+               {"direction", json_of_vector(light.direction)},
+               {"strength", json_of_strength(light.strength)}};
+  if (light.direction_sigma > 0.0) json["direction_sigma_deg"] = light.direction_sigma / degree;
+  if (light.position) json["position_mm"] = json_of_vector(*light.position);
+  return json;
+}
+
+Sphere sphere_from(JsonObject object) {
+  Sphere sphere;
+  const std::string kind = object.text("kind");
+  if (kind != "matte" && kind != "chrome") object.fail("kind", "must be matte or chrome");
+  sphere.kind = kind == "matte" ? SphereKind::matte : SphereKind::chrome;
+  const auto center = object.numbers("center_px", 2);
+  sphere.center_px = {center[0], center[1]};
+  sphere.radius_px = object.number("radius_px");
+  if (sphere.radius_px <= 0.0) object.fail("radius_px", "must be larger than 0");
+  sphere.sigma_px = object.number("sigma_px", 0.0);
+  if (object.has("diameter_mm")) sphere.diameter_mm = object.number("diameter_mm");
+  object.finish();
+  return sphere;
+}
+
+Json json_of_sphere(const Sphere& sphere) {
+  Json json = {{"kind", std::string(name_of(sphere.kind))},
+               {"center_px", Json::array({sphere.center_px.x(), sphere.center_px.y()})},
+               {"radius_px", sphere.radius_px}};
+  if (sphere.sigma_px > 0.0) json["sigma_px"] = sphere.sigma_px;
+  if (sphere.diameter_mm) json["diameter_mm"] = *sphere.diameter_mm;
+  return json;
+}
+
+}  // namespace
+
+LightsFile read_lights(const std::filesystem::path& path) {
+  const Json json = read_json(path, "lights/1");
+  const std::string name = path.string();
+  JsonObject object(json, name);
+  LightsFile file;
+  const Json& lights = object.list("lights");
+  if (lights.empty()) object.fail("lights", "is empty; give one entry for each picture");
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    file.lights.push_back(light_from(JsonObject(lights[i], entry(name, "lights", i))));
+  }
+  if (object.has("spheres")) {
+    const Json& spheres = object.list("spheres");
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      file.spheres.push_back(sphere_from(JsonObject(spheres[i], entry(name, "spheres", i))));
+    }
+  }
+  file.encoding = object.text("encoding", "");
+  if (!file.encoding.empty() && file.encoding != "linear" && file.encoding != "srgb") {
+    object.fail("encoding", "must be linear or srgb");
+  }
+  object.finish();
+  return file;
+}
+
+std::string lights_text(const LightsFile& file) {
+  Json json = {{"hada", "lights/1"}};
+  if (!file.encoding.empty()) json["encoding"] = file.encoding;
+  json["lights"] = Json::array();
+  for (const Light& light : file.lights) json["lights"].push_back(json_of_light(light));
+  json["spheres"] = Json::array();
+  for (const Sphere& sphere : file.spheres) json["spheres"].push_back(json_of_sphere(sphere));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace hada
