@@ -1,0 +1,102 @@
+#include "core/fft.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "core/random.h"
+
+namespace hada {
+namespace {
+
+template <class T>
+Grid<T> noise(int rows, int cols) {
+  Grid<T> grid(rows, cols);
+  for (int row = 0; row < rows; ++row) {
+    for (int col = 0; col < cols; ++col) grid(row, col) = T(gaussian(5, row, col));
+  }
+  return grid;
+}
+
+// The sum of the header, term by term.
+template <class T>
+std::complex<double> direct_transform(const Grid<T>& real, int i, int j) {
+  std::complex<double> sum = 0.0;
+  for (int row = 0; row < real.rows(); ++row) {
+    for (int col = 0; col < real.cols(); ++col) {
+      const double turns = double(i) * row / real.rows() + double(j) * col / real.cols();
+      sum += double(real(row, col)) * std::polar(1.0, -2.0 * std::numbers::pi * turns);
+    }
+  }
+  return sum;
+}
+
+struct Size {
+  int rows;
+  int cols;
+};
+
+constexpr Size sizes[] = {{1, 1}, {1, 2}, {1, 7}, {1, 8}, {2, 1},  {7, 1},   {8, 1},   {2, 2},
+                          {3, 3}, {4, 6}, {5, 8}, {8, 5}, {9, 15}, {16, 12}, {11, 13}, {2, 9}};
+
+template <class T>
+class Fft : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Fft, Scalars);
+
+// Both sums have rows * cols <= 200 terms of about 1: 200 roundings of a result of about 14.
+template <class T>
+constexpr double tolerance = std::is_same_v<T, float> ? 2e-4 : 2e-12;
+
+TYPED_TEST(Fft, IsTheSumThatItsHeaderStates) {
+  for (const auto [rows, cols] : sizes) {
+    const auto real = noise<TypeParam>(rows, cols);
+    const auto half = fft(real);
+    ASSERT_EQ(half.rows(), rows);
+    ASSERT_EQ(half.cols(), cols / 2 + 1);
+    for (int i = 0; i < rows; ++i) {
+      for (int j = 0; j < half.cols(); ++j) {
+        const auto difference = std::complex<double>(half(i, j)) - direct_transform(real, i, j);
+        EXPECT_LT(std::abs(difference), tolerance<TypeParam>) << rows << " x " << cols;
+      }
+    }
+  }
+}
+
+TYPED_TEST(Fft, ComesBackByItsInverse) {
+  for (const auto [rows, cols] : sizes) {
+    const auto real = noise<TypeParam>(rows, cols);
+    const auto again = inverse_fft(fft(real), cols);
+    ASSERT_TRUE(again.same_size(real));
+    for (std::size_t i = 0; i < real.size(); ++i) {
+      EXPECT_NEAR(again[i], real[i], tolerance<TypeParam>) << rows << " x " << cols;
+    }
+  }
+}
+
+TEST(FftThreads, GivesTheSameBytesAtAnyThreadCount) {
+  const auto real = noise<float>(192, 250);
+  set_threads(1);
+  const auto half = fft(real);
+  const auto back = inverse_fft(half, 250);
+  set_threads(3);
+  EXPECT_EQ(fft(real), half);
+  EXPECT_EQ(inverse_fft(half, 250), back);
+  set_threads(0);
+}
+
+TEST(SignedFrequency, RunsUpToNyquistAndThenFromBelow) {
+  EXPECT_EQ(signed_frequency(0, 8), 0);
+  EXPECT_EQ(signed_frequency(4, 8), 4);
+  EXPECT_EQ(signed_frequency(5, 8), -3);
+  EXPECT_EQ(signed_frequency(3, 7), 3);
+  EXPECT_EQ(signed_frequency(4, 7), -3);
+  EXPECT_EQ(signed_frequency(0, 1), 0);
+}
+
+}  // namespace
+}  // namespace hada
