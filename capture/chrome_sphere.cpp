@@ -89,6 +89,7 @@ std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturate
 
   const SphereInSpace in_place = in_space(sphere, camera);
   Highlight found;
+  found.peak = peak.value;
   found.prominence = double(peak.value) / std::max(double(quantile(disc, 0.9)), 1e-6);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();

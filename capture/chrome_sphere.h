@@ -16,6 +16,7 @@ struct Highlight {
   double flux = 0.0;        // brightness times solid angle: proportional to the light's strength
   double width = 0.0;       // root mean square angle of the light about its middle, radians
   bool clipped = false;     // the flux is a lower bound
+  double peak = 0.0;        // largest value in it
   double prominence = 0.0;  // peak over the brightness of the rest of the inner disc
 };
 

@@ -95,7 +95,7 @@ Candidate judged(const Photographs& photographs, const Overview& all, const Circ
   Candidate candidate{circle, SphereKind::matte, 0.0};
   const double matte = matte_likeness(photographs, all, circle);
   const double chrome = chrome_likeness(photographs, all, circle);
-  constexpr double convincing = 0.6;
+  constexpr double convincing = 0.65;
   if (matte < convincing && chrome == 0.0) return candidate;
   candidate.kind = matte >= convincing ? SphereKind::matte : SphereKind::chrome;
   candidate.worth = circle.coverage * std::max(matte, 0.8 * chrome);

@@ -23,14 +23,16 @@ std::vector<std::size_t> probes(std::size_t count) {
 }  // namespace
 
 double matte_likeness(const Photographs& photographs, const Overview& all, const Circle& circle) {
-  const Sphere sphere = Sphere{SphereKind::matte, circle.center, circle.radius, 0.0, {}};
+  const Sphere sphere{SphereKind::matte, circle.center, circle.radius, 0.0, {}};
   std::vector<double> likeness;
   for (const std::size_t k : probes(all.greys.size())) {
     const MatteShading shading =
         matte_shading(all.greys[k], photographs.saturated[k], photographs.camera, sphere, 0.9);
     constexpr double flat = 0.12;  // less spread than any lit sphere has
-    const bool sphere_like = shading.spread > flat && shading.b.z() > 0.05 * shading.b.norm() &&
-                             shading.ambient < 1.5 * shading.b.norm();
+    constexpr double dim = 0.08;   // of the picture's brightest parts: no sphere, but noise
+    const double strength = shading.b.norm();
+    const bool sphere_like = shading.spread > flat && strength > dim * all.bright[k] &&
+                             shading.b.z() > 0.05 * strength && shading.ambient < 1.5 * strength;
     likeness.push_back(sphere_like ? std::max(0.0, 1.0 - shading.misfit) : 0.0);
   }
   // The lower quartile: nearly every picture must agree.
@@ -39,7 +41,7 @@ double matte_likeness(const Photographs& photographs, const Overview& all, const
 }
 
 double chrome_likeness(const Photographs& photographs, const Overview& all, const Circle& circle) {
-  const Sphere sphere = Sphere{SphereKind::chrome, circle.center, circle.radius, 0.0, {}};
+  const Sphere sphere{SphereKind::chrome, circle.center, circle.radius, 0.0, {}};
   const auto chosen = probes(all.greys.size());
   int clear = 0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -47,8 +49,12 @@ double chrome_likeness(const Photographs& photographs, const Overview& all, cons
   for (const std::size_t k : chosen) {
     const auto spot = highlight(all.greys[k], photographs.saturated[k], photographs.camera, sphere);
     constexpr double prominent = 4.0;
-    constexpr double compact = 0.35;  // radians, root mean square: no lamp is wider
-    if (!spot || spot->prominence < prominent || spot->width > compact) continue;
+    constexpr double compact = 0.35;   // radians, root mean square: no lamp is wider
+    constexpr double brilliant = 0.2;  // of the brightest glint in the picture
+    if (!spot || spot->prominence < prominent || spot->width > compact ||
+        spot->peak < brilliant * all.glint[k]) {
+      continue;
+    }
     ++clear;
     places.push_back(spot->center_px);
     mean += spot->center_px;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "io/image_file.h"
 
 namespace hada {
 namespace {
@@ -18,12 +19,20 @@ float high_quantile(Grid<float> values, double share) {
 
 Overview overview(const Photographs& photographs) {
   Overview all;
-  for (const Image& image : photographs.images) all.greys.push_back(luminance(image));
+  const bool decode = photographs.encoding_known && !photographs.linear;
+  for (const Image& image : photographs.images) {
+    all.greys.push_back(luminance(image));
+    if (decode) {
+      for (float& value : all.greys.back()) value = linear_from_srgb(value);
+    }
+    all.bright.push_back(high_quantile(all.greys.back(), 0.99));
+    all.glint.push_back(high_quantile(all.greys.back(), 1.0));
+  }
   const int rows = all.greys[0].rows();
   const int cols = all.greys[0].cols();
   // Below this the logarithm would only magnify noise and code values.
-  const float least = std::max(0.002f * high_quantile(all.greys[0], 0.99),
-                               photographs.bits <= 8 ? 1.0f / 255.0f : 1e-5f);
+  const float least =
+      std::max(0.002f * all.bright[0], photographs.bits <= 8 ? 1.0f / 255.0f : 1e-5f);
   all.mean_log = all.brightest = all.brightest_log = Grid<float>(rows, cols);
   for_each_index(rows, [&](int row) {
     for (int col = 0; col < cols; ++col) {
