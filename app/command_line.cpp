@@ -1,0 +1,251 @@
+#include "app/command_line.h"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/calibrate.h"
+#include "app/commands/compare.h"
+#include "app/commands/demo.h"
+#include "app/commands/fit.h"
+#include "app/commands/materials.h"
+#include "app/commands/measure.h"
+#include "app/commands/photograph.h"
+#include "app/commands/reconstruct.h"
+#include "app/commands/run.h"
+#include "app/commands/synth.h"
+#include "app/commands/validate.h"
+#include "app/files.h"
+#include "core/error.h"
+
+// The only unit that includes CLI11. A command is an entry here: its words, its example, and the
+// struct of arguments that its function takes.
+namespace hada {
+namespace {
+
+CLI::Validator positive() {
+  return CLI::Validator(
+      [](std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        return *end == '\0' && value > 0.0 && std::isfinite(value)
+                   ? std::string()
+                   : text + " is not a number greater than 0";
+      },
+      "");
+}
+
+class Commands {
+ public:
+  explicit Commands(Request& request) : request_(request) {
+    app_.set_version_flag("--version", "hada " + version());
+    app_.footer("Example:\n  hada demo -o out/demo");
+    app_.require_subcommand(1);
+    add_common(app_);
+  }
+
+  CLI::App& app() { return app_; }
+
+  // A command that runs `work` with its `Arguments`; `declare` says which words fill them.
+  template <class Arguments, class Declare>
+  void add(const std::string& name, const std::string& summary, const std::string& example,
+           void (*work)(const Arguments&, const Terminal&), const Declare& declare) {
+    CLI::App& command = *app_.add_subcommand(name, summary);
+    command.footer("Example:\n  " + example);
+    const auto arguments = std::make_shared<Arguments>();
+    declare(command, *arguments);
+    add_common(command);
+    command.callback([this, work, arguments] {
+      request_.work = [work, arguments](const Terminal& terminal) { work(*arguments, terminal); };
+    });
+  }
+
+ private:
+  void add_common(CLI::App& command) {
+    command.add_option("--threads", request_.threads, "use N threads (default: all cores)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command.add_flag("--quiet", request_.manner.quiet, "print errors only");
+    command.add_flag("--json", request_.manner.json, "print the result as JSON");
+  }
+
+  Request& request_;
+  CLI::App app_{
+      "hada measures a real surface, finds the material that explains it, and makes more "
+      "of it.",
+      "hada"};
+};
+
+constexpr const char* input_words = "surface folder, height map or picture";
+constexpr const char* pitch_words = "distance between pixels, mm";
+
+template <class Arguments>
+void add_capture(CLI::App& command, Arguments& a) {
+  command.add_option("capture", a.capture, "folder of pictures, one light each")->required();
+}
+
+template <class Arguments>
+CLI::Option* add_out(CLI::App& command, Arguments& a, const std::string& words) {
+  return command.add_option("-o,--out", a.out, words);
+}
+
+template <class Arguments>
+void add_pitch(CLI::App& command, Arguments& a) {
+  command.add_option("--pitch", a.pitch_mm, pitch_words)->check(positive())->type_name("MM");
+}
+
+template <class Arguments>
+void add_lights(CLI::App& command, Arguments& a) {
+  command.add_option("--lights", a.lights, "lights file to use instead of the spheres");
+}
+
+void add_all_steps(Commands& commands) {
+  commands.add("demo", "Make a virtual capture and walk the whole path", "hada demo -o out/demo",
+               demo_command, [](CLI::App& command, DemoArguments& a) {
+                 add_out(command, a, "folder to write (default: out/demo)");
+                 command.add_option("--recipe", a.recipe, "recipe instead of the shipped one");
+               });
+  commands.add("run", "All steps from photographs to a new surface and a report",
+               "hada run photos/sheet --material wrinkle -o out/sheet", run_command,
+               [](CLI::App& command, RunArguments& a) {
+                 add_capture(command, a);
+                 command.add_option("--material", a.path.material,
+                                    "what to fit (default: wrinkle); see hada materials");
+                 command
+                     .add_option("--components", a.path.components,
+                                 "number of components (default: the data decide)")
+                     ->check(CLI::Range(1, 8));
+                 command.add_option("--seed", a.path.seed, "of the new surface (default: 1)");
+                 add_lights(command, a);
+                 add_pitch(command, a);
+                 add_out(command, a, "folder to write (default: out)");
+               });
+}
+
+void add_measuring(Commands& commands) {
+  commands.add("calibrate", "Read the lights off reference spheres",
+               "hada calibrate photos/sphere -o lights.json", calibrate_command,
+               [](CLI::App& command, CalibrateArguments& a) {
+                 add_capture(command, a);
+                 add_out(command, a, "lights file to write (default: lights.json)");
+               });
+  commands.add("reconstruct", "Turn photographs into normals, albedo and height",
+               "hada reconstruct photos/sheet --lights lights.json -o out/surface",
+               reconstruct_command, [](CLI::App& command, ReconstructArguments& a) {
+                 add_capture(command, a);
+                 add_lights(command, a);
+                 add_pitch(command, a);
+                 command
+                     .add_option("--levelling", a.levelling,
+                                 "what to take off the height: offset, plane or quadratic "
+                                 "(default: plane)")
+                     ->check(CLI::IsMember({"offset", "plane", "quadratic"}));
+                 command
+                     .add_option("--estimator", a.estimator,
+                                 "how normals are found (default: least-squares)")
+                     ->check(CLI::IsMember({"least-squares"}));
+                 add_out(command, a, "surface folder to write")->required();
+               });
+  commands.add("measure", "Describe a surface: spectrum, rings, sectors, roughness",
+               "hada measure out/surface -o out/measured", measure_command,
+               [](CLI::App& command, MeasureArguments& a) {
+                 command.add_option("input", a.input, input_words)->required();
+                 add_pitch(command, a);
+                 add_out(command, a, "folder for measure.json and spectrum.png");
+               });
+  commands.add("compare", "Say how far two surfaces differ",
+               "hada compare out/surface out/capture/truth -o out/compared", compare_command,
+               [](CLI::App& command, CompareArguments& a) {
+                 command.add_option("first", a.first, input_words)->required();
+                 command.add_option("second", a.second, input_words)->required();
+                 add_pitch(command, a);
+                 add_out(command, a, "folder for compare.json and compare.html");
+               });
+}
+
+void add_modelling(Commands& commands) {
+  commands.add(
+      "fit", "Find the parameters of a material that explain a surface",
+      "hada fit wrinkle out/surface -o material.json", fit_command,
+      [](CLI::App& command, FitArguments& a) {
+        command.add_option("material", a.material, "its name; see hada materials")->required();
+        command.add_option("input", a.input, input_words)->required();
+        add_pitch(command, a);
+        command
+            .add_option("--components", a.components,
+                        "number of components (default: the data decide)")
+            ->check(CLI::Range(1, 8));
+        add_out(command, a, "material file to write (default: material.json)");
+      });
+  commands.add("synth", "Make more of a surface from its material file",
+               "hada synth material.json --size 1024x768 --pitch 0.1 --seed 7 -o out/more",
+               synth_command, [](CLI::App& command, SynthArguments& a) {
+                 command.add_option("material", a.material, "material file")->required();
+                 command
+                     .add_option("--size", a.size_px,
+                                 "width x height in pixels (default: as fitted, or 512x512)")
+                     ->type_name("WxH");
+                 add_pitch(command, a);
+                 command.add_option("--seed", a.seed,
+                                    "of the surface (default: of the file, or 1)");
+                 add_out(command, a, "surface folder to write")->required();
+               });
+  commands.add("materials", "List the materials and their parameters", "hada materials wrinkle",
+               materials_command, [](CLI::App& command, MaterialsArguments& a) {
+                 command.add_option("name", a.name, "only this one");
+                 command.add_flag("--markdown", a.markdown, "as a page of documentation");
+               });
+}
+
+void add_virtual(Commands& commands) {
+  commands.add("photograph", "Photograph a virtual sheet",
+               "hada photograph data_synthetic/sheet_and_spheres.json -o out/capture",
+               photograph_command, [](CLI::App& command, PhotographArguments& a) {
+                 command.add_option("recipe", a.recipe, "recipe file")->required();
+                 add_out(command, a, "capture folder to write")->required();
+               });
+  commands.add("validate", "Ask what a rig can measure: errors and coverage over many seeds",
+               "hada validate data_synthetic/sheet_and_spheres.json --seeds 8 -o out/validated",
+               validate_command, [](CLI::App& command, ValidateArguments& a) {
+                 command.add_option("recipe", a.recipe, "recipe file")->required();
+                 command.add_option("--seeds", a.seeds, "number of virtual captures (default: 8)")
+                     ->check(CLI::Range(1, 1000));
+                 add_out(command, a, "folder for validate.json");
+               });
+}
+
+// One line, however many the parser wrote.
+std::string sentence(std::string text) {
+  for (char& c : text) {
+    if (c == '\n') c = ' ';
+  }
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Request parse_command_line(int count, const char* const* words) {
+  Request request;
+  Commands commands(request);
+  add_all_steps(commands);
+  add_measuring(commands);
+  add_modelling(commands);
+  add_virtual(commands);
+  try {
+    commands.app().parse(count, words);
+  } catch (const CLI::CallForHelp&) {
+    request.text = commands.app().help();
+  } catch (const CLI::CallForVersion& call) {
+    request.text = std::string(call.what()) + "\n";
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = commands.app().get_subcommands();
+    const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    throw Error(sentence(error.what()) + "; see hada" + name + " --help");
+  }
+  return request;
+}
+
+}  // namespace hada

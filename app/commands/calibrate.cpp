@@ -1,0 +1,32 @@
+#include "app/commands/calibrate.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "app/lit_capture.h"
+#include "app/telling.h"
+#include "io/output.h"
+
+namespace hada {
+
+void calibrate_command(const CalibrateArguments& arguments, const Terminal& terminal) {
+  const Photographs photographs = load_folder(arguments.capture, terminal);
+  terminal.step("reading the lights off the spheres");
+  const Calibration calibration = calibrate(photographs);
+  const std::string text = lights_text(lights_file(calibration));
+  write_text(arguments.out, text);
+  for (const auto& reading : calibration.readings) {
+    const Sphere& sphere = reading.sphere;
+    terminal.say(fmt::format("{} sphere at ({:.2f}, {:.2f}) px, radius {:.2f} \u00b1 {:.2f} px",
+                             name_of(sphere.kind), sphere.center_px.x(), sphere.center_px.y(),
+                             sphere.radius_px, sphere.sigma_px));
+  }
+  terminal.say(told(calibration));
+  for (const auto& remark : calibration.remarks) terminal.say("note: " + remark);
+  terminal.say("wrote " + arguments.out.string());
+  terminal.result(text);
+}
+
+}  // namespace hada

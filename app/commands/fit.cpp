@@ -1,0 +1,33 @@
+#include "app/commands/fit.h"
+
+#include "app/fit_material.h"
+#include "app/telling.h"
+#include "io/output.h"
+#include "io/surface_file.h"
+
+namespace hada {
+namespace {
+
+// "out/sheet/surface/" and "out/sheet/surface" are both known as "surface".
+std::string last_name(const std::filesystem::path& path) {
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+}  // namespace
+
+void fit_command(const FitArguments& arguments, const Terminal& terminal) {
+  material_named(arguments.material);  // an unknown name is said before anything is read
+  terminal.step("reading " + arguments.input.string());
+  const Surface surface = read_surface(arguments.input, arguments.pitch_mm);
+  terminal.step("fitting " + arguments.material);
+  const MaterialFile file = fit_material(arguments.material, surface, last_name(arguments.input),
+                                         {.components = arguments.components});
+  const std::string text = material_text(file);
+  write_text(arguments.out, text);
+  for (const auto& line : told(file)) terminal.say(line);
+  for (const auto& remark : file.remarks) terminal.say("note: " + remark);
+  terminal.say("wrote " + arguments.out.string());
+  terminal.result(text);
+}
+
+}  // namespace hada

@@ -1,0 +1,45 @@
+#include "app/commands/reconstruct.h"
+
+#include "app/files.h"
+#include "app/lit_capture.h"
+#include "app/surface_notes.h"
+#include "app/telling.h"
+#include "core/error.h"
+#include "io/surface_file.h"
+#include "reconstruct/reconstruct.h"
+
+namespace hada {
+namespace {
+
+Levelling levelling_named(const std::string& name) {
+  for (const auto levelling : {Levelling::offset, Levelling::plane, Levelling::quadratic}) {
+    if (name_of(levelling) == name) return levelling;
+  }
+  throw Error("--levelling " + name + ": choose from: offset, plane, quadratic");
+}
+
+}  // namespace
+
+void reconstruct_command(const ReconstructArguments& arguments, const Terminal& terminal) {
+  Photographs photographs = load_folder(arguments.capture, terminal, arguments.pitch_mm);
+  const LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
+  terminal.step("reconstructing normals and height");
+  const Reconstruction result =
+      reconstruct(lit.stack, {.levelling = levelling_named(arguments.levelling)});
+
+  Output output(arguments.out);
+  const std::string notes = surface_notes(result);
+  write_surface(output, result.surface, notes);
+  put_text(output, "lights.json", lights_text(lit.lights));
+  put_previews(output, result.surface);
+  output.commit();
+
+  terminal.say(told(lit));
+  terminal.say(told(result));
+  for (const auto& remark : lit.remarks) terminal.say("note: " + remark);
+  for (const auto& remark : result.remarks) terminal.say("note: " + remark);
+  terminal.say("wrote " + arguments.out.string());
+  terminal.result(notes);
+}
+
+}  // namespace hada

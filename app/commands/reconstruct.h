@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/terminal.h"
+
+namespace hada {
+
+struct ReconstructArguments {
+  std::filesystem::path capture;
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> lights;
+  std::optional<double> pitch_mm;  // overrides the manifest
+  std::string levelling = "plane";
+  std::string estimator = "least-squares";
+};
+
+/// Turns a capture into a surface folder with previews.
+void reconstruct_command(const ReconstructArguments& arguments, const Terminal& terminal);
+
+}  // namespace hada

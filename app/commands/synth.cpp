@@ -1,0 +1,68 @@
+#include "app/commands/synth.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "app/files.h"
+#include "app/material_file.h"
+#include "app/telling.h"
+#include "core/error.h"
+#include "io/json.h"
+#include "io/surface_file.h"
+#include "synth/synthesize.h"
+
+namespace hada {
+namespace {
+
+void set_size(Extent& extent, const std::string& text) {
+  constexpr int most = 16384;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, extent.cols);
+  const bool has_cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_cross ? std::from_chars(width.ptr + 1, end, extent.rows) : width;
+  if (!has_cross || height.ec != std::errc() || height.ptr != end || extent.cols < 1 ||
+      extent.rows < 1 || extent.cols > most || extent.rows > most) {
+    throw Error("--size " + text + ": write width x height in pixels, such as 512x384, up to " +
+                std::to_string(most) + " each");
+  }
+}
+
+Extent extent_for(const SynthArguments& arguments, const MaterialFile& file) {
+  Extent extent{512, 512, 0.1, file.unit};
+  if (file.input) {
+    extent.pitch = file.input->extent.pitch;
+    if (file.input->extent.rows > 0 && file.input->extent.cols > 0) {
+      extent.rows = file.input->extent.rows;
+      extent.cols = file.input->extent.cols;
+    }
+  }
+  if (arguments.pitch_mm) extent.pitch = *arguments.pitch_mm;
+  if (!arguments.size_px.empty()) set_size(extent, arguments.size_px);
+  return extent;
+}
+
+}  // namespace
+
+void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
+  const MaterialFile file = read_material(arguments.material);
+  const Extent extent = extent_for(arguments, file);
+  const Seed seed = arguments.seed.value_or(file.seed.value_or(1));
+  terminal.step("making " + size_text(extent) + " pixels of " +
+                std::string(name_of(file.material)));
+  const Surface surface = synthesize(file.material, extent, seed);
+
+  const Json notes = {{"material", name_of(file.material)}, {"seed", seed}, {"version", version()}};
+  Output output(arguments.out);
+  write_surface(output, surface, notes.dump(1));
+  put_previews(output, surface);
+  output.commit();
+
+  terminal.say(fmt::format("made {} pixels of {} ({:.4g} x {:.4g} {}, seed {})", size_text(extent),
+                           name_of(file.material), extent.width(), extent.height(),
+                           name_of(extent.unit), seed));
+  terminal.say("wrote " + arguments.out.string());
+  terminal.result(notes.dump(1));
+}
+
+}  // namespace hada

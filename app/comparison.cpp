@@ -1,0 +1,92 @@
+#include "app/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "app/overlap.h"
+#include "core/error.h"
+#include "io/json.h"
+
+namespace hada {
+namespace {
+
+// The logarithm of the density between ring middles; the nearest ring beyond the ends.
+double log_density(const Rings& rings, double frequency) {
+  const auto above = std::lower_bound(rings.frequency.begin(), rings.frequency.end(), frequency);
+  const auto i = std::size_t(above - rings.frequency.begin());
+  if (i == 0) return std::log10(rings.density.front());
+  if (i == rings.frequency.size()) return std::log10(rings.density.back());
+  const double step = rings.frequency[i] - rings.frequency[i - 1];
+  const double share = (frequency - rings.frequency[i - 1]) / step;
+  return (1.0 - share) * std::log10(rings.density[i - 1]) + share * std::log10(rings.density[i]);
+}
+
+Json json_of(const Roughness& r) {
+  return {{"Sa", r.Sa},   {"Sq", r.Sq},   {"Ssk", r.Ssk}, {"Sku", r.Sku},
+          {"Sdq", r.Sdq}, {"Sal", r.Sal}, {"Str", r.Str}, {"Std_rad", r.Std}};
+}
+
+}  // namespace
+
+double spectral_distance_db(const Rings& a, const Rings& b) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < a.frequency.size(); ++i) {
+    if (a.count[i] == 0 || a.frequency[i] > b.frequency.back()) continue;
+    const double decibel = 10.0 * (std::log10(a.density[i]) - log_density(b, a.frequency[i]));
+    if (!std::isfinite(decibel)) continue;
+    sum += decibel * decibel;
+    ++count;
+  }
+  return count == 0 ? 0.0 : std::sqrt(sum / count);
+}
+
+std::vector<double> light_errors(const std::vector<Light>& found, const std::vector<Light>& truth) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < std::min(found.size(), truth.size()); ++i) {
+    angles.push_back(std::atan2(found[i].direction.cross(truth[i].direction).norm(),
+                                found[i].direction.dot(truth[i].direction)));
+  }
+  return angles;
+}
+
+Comparison compare(const Surface& first, const Surface& second) {
+  if (first.extent.unit != second.extent.unit) {
+    throw Error("one surface is in mm and the other in px; give both a pitch (--pitch MM)");
+  }
+  if (first.has_height() != second.has_height()) {
+    throw Error(
+        "only one of the two has a height; compare surfaces with surfaces and pictures "
+        "with pictures");
+  }
+  Comparison comparison;
+  comparison.overlap = overlap(first, second);
+  comparison.first = measure(first);
+  comparison.second = measure(second);
+  comparison.spectral_distance_db =
+      spectral_distance_db(comparison.first.rings, comparison.second.rings);
+  return comparison;
+}
+
+std::string comparison_text(const Comparison& c) {
+  Json json = {{"hada", "compare/1"}, {"unit", name_of(c.first.extent.unit)}};
+  if (c.overlap) {
+    Json& overlap = json["overlap"];
+    overlap["pixels"] = c.overlap->pixels;
+    overlap["height_rmse"] = c.overlap->height_rmse;
+    overlap["height_std"] = c.overlap->height_std;
+    if (c.overlap->has_normals) {
+      constexpr double degree = std::numbers::pi / 180.0;
+      overlap["normal_mean_deg"] = c.overlap->normal_mean / degree;
+      overlap["normal_median_deg"] = c.overlap->normal_median / degree;
+    }
+  }
+  json["spectral_distance_db"] = c.spectral_distance_db;
+  json["roughness"] = {json_of(c.first.roughness), json_of(c.second.roughness)};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace hada

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "app/material_file.h"
+#include "core/surface.h"
+
+namespace hada {
+
+struct FitMaterialOptions {
+  int components = 0;  // of a material that has a list of them; 0: the data decide
+};
+
+/// The material `name` that explains `surface` best.
+///
+/// A surface without a height is fitted by its brightness, and a remark says so.
+/// input_name  what the surface was read from, for the record
+MaterialFile fit_material(const std::string& name, Surface surface, const std::string& input_name,
+                          const FitMaterialOptions& options = {});
+
+}  // namespace hada

@@ -1,0 +1,74 @@
+#include "app/lit_capture.h"
+
+#include "capture/find_spheres.h"
+#include "capture/light_stack.h"
+
+namespace hada {
+namespace {
+
+void add(std::vector<std::string>& remarks, const std::vector<std::string>& more) {
+  remarks.insert(remarks.end(), more.begin(), more.end());
+}
+
+// Spheres lie beside the sample and must not be taken for it; an owner's mask already says so.
+std::vector<Sphere> spheres_beside(const Photographs& photographs, const Terminal& terminal) {
+  if (!photographs.mask.empty()) return {};
+  terminal.step("looking for spheres beside the sample");
+  return find_spheres(photographs).spheres;
+}
+
+void settle_encoding(Photographs& photographs, bool linear) {
+  photographs.linear = linear;
+  photographs.encoding_known = true;
+}
+
+}  // namespace
+
+Photographs load_folder(const std::filesystem::path& folder, const Terminal& terminal,
+                        std::optional<double> pitch_mm) {
+  CaptureFile file = read_capture_file(folder);
+  if (pitch_mm) file.pitch_mm = pitch_mm;
+  terminal.step("loading " + std::to_string(file.pictures.size()) + " pictures");
+  return load_photographs(file);
+}
+
+LightsFile lights_file(const Calibration& calibration) {
+  LightsFile file{calibration.lights, {}, calibration.linear ? "linear" : "srgb"};
+  for (const auto& reading : calibration.readings) file.spheres.push_back(reading.sphere);
+  return file;
+}
+
+LitCapture lit_capture(Photographs photographs,
+                       const std::optional<std::filesystem::path>& lights_path,
+                       const Terminal& terminal) {
+  LitCapture lit;
+  if (lights_path) {
+    lit.lights = read_lights(*lights_path);
+    lit.lights.lights = matched_lights(lit.lights.lights, photographs.file);
+    lit.lights.spheres = spheres_beside(photographs, terminal);
+    lit.source = lights_path->filename().string();
+    if (!photographs.encoding_known && !lit.lights.encoding.empty()) {
+      settle_encoding(photographs, lit.lights.encoding == "linear");
+    }
+  } else if (auto given = lights_in(photographs.file); !given.empty()) {
+    lit.lights.lights = std::move(given);
+    lit.lights.spheres = spheres_beside(photographs, terminal);
+    lit.source = "the manifest";
+  } else {
+    terminal.step("reading the lights off the spheres");
+    lit.calibration = calibrate(photographs);
+    lit.lights = lights_file(*lit.calibration);
+    lit.source = "the spheres in the pictures";
+    settle_encoding(photographs, lit.calibration->linear);
+    add(lit.remarks, lit.calibration->remarks);
+  }
+  lit.lights.encoding = photographs.linear ? "linear" : "srgb";
+  terminal.step("finding the sample");
+  lit.stack = light_stack(photographs, lit.lights.lights, lit.lights.spheres);
+  lit.lights.lights = lit.stack.lights;
+  add(lit.remarks, photographs.remarks);
+  lit.photographs = std::move(photographs);
+  return lit;
+}
+
+}  // namespace hada

@@ -1,0 +1,133 @@
+#include "app/material_file.h"
+
+#include <bit>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/files.h"
+#include "app/material_list.h"
+#include "io/json.h"
+
+namespace hada {
+namespace {
+
+Material parameters_of(const std::string& name, JsonObject object) {
+  Material material = material_named(name);
+  std::visit([&](auto& m) { m = material_from<std::decay_t<decltype(m)>>(std::move(object)); },
+             material);
+  return material;
+}
+
+Unit unit_of(JsonObject& object) {
+  const std::string unit = object.text("unit", "mm");
+  if (unit != "mm" && unit != "px") object.fail("unit", "must be \"mm\" or \"px\"");
+  return unit == "mm" ? Unit::mm : Unit::px;
+}
+
+MaterialFile::Input input_of(JsonObject object, Unit unit) {
+  MaterialFile::Input input;
+  input.name = object.text("path", "");
+  input.hash = object.text("hash", "");
+  input.extent.unit = unit;
+  input.extent.pitch = object.number("pitch", 1.0);
+  if (!(input.extent.pitch > 0.0)) object.fail("pitch", "must be greater than 0");
+  if (object.has("size_px")) {
+    const auto size = object.numbers("size_px", 2);
+    input.extent.cols = int(size[0]);
+    input.extent.rows = int(size[1]);
+  }
+  object.finish();
+  return input;
+}
+
+Seed seed_of(JsonObject& object) {
+  const double seed = object.number("seed");
+  constexpr double most_exact = 9007199254740992.0;  // 2^53
+  if (seed < 0.0 || seed > most_exact || seed != std::floor(seed)) {
+    object.fail("seed", "must be a whole number from 0 to 2^53");
+  }
+  return Seed(seed);
+}
+
+}  // namespace
+
+std::string hash_of(const Grid<float>& values) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const float value : values) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    for (int byte = 0; byte < 4; ++byte) {
+      hash = (hash ^ (bits >> (8 * byte) & 0xffu)) * 0x100000001b3u;
+    }
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string_view name_of(const Material& material) {
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::name; }, material);
+}
+
+std::string material_names() {
+  std::string names;
+  for_each_material([&](const auto& m) {
+    names += (names.empty() ? "" : ", ") + std::string(std::decay_t<decltype(m)>::name);
+  });
+  return names;
+}
+
+Material material_named(const std::string& name) {
+  std::optional<Material> found;
+  for_each_material([&](const auto& m) {
+    if (std::decay_t<decltype(m)>::name == name) found = m;
+  });
+  if (!found) {
+    throw Error("\"" + name +
+                "\" is not a material that hada knows; choose from: " + material_names());
+  }
+  return *found;
+}
+
+MaterialFile read_material(const std::filesystem::path& path) {
+  const Json json = read_json(path, "material/1");
+  JsonObject object(json, path.string());
+  MaterialFile file;
+  file.material = parameters_of(object.text("material"), object.object("parameters"));
+  file.unit = unit_of(object);
+  if (object.has("seed")) file.seed = seed_of(object);
+  if (object.has("input")) file.input = input_of(object.object("input"), file.unit);
+  for (const char* record : {"sigma", "goodness_p", "on_bound", "starts", "agreeing",
+                             "runner_up_gap", "remarks", "version"}) {
+    object.has(record);  // what a fit says of itself is not needed to make more of the material
+  }
+  object.finish();
+  return file;
+}
+
+std::string material_text(const MaterialFile& file) {
+  Json json = {{"hada", "material/1"}, {"material", name_of(file.material)}};
+  const auto fields = [](const Material& material) {
+    return std::visit([](const auto& m) { return json_of(m); }, material);
+  };
+  json["parameters"] = fields(file.material);
+  if (file.sigma) json["sigma"] = fields(*file.sigma);
+  json["unit"] = name_of(file.unit);
+  if (std::isfinite(file.goodness_p)) json["goodness_p"] = file.goodness_p;
+  if (file.starts > 0) {
+    json["on_bound"] = file.on_bound;
+    json["starts"] = file.starts;
+    json["agreeing"] = file.agreeing;
+  }
+  if (std::isfinite(file.runner_up_gap)) json["runner_up_gap"] = file.runner_up_gap;
+  if (!file.remarks.empty()) json["remarks"] = file.remarks;
+  if (file.seed) json["seed"] = *file.seed;
+  if (file.input) {
+    json["input"] = {{"path", file.input->name},
+                     {"hash", file.input->hash},
+                     {"pitch", file.input->extent.pitch},
+                     {"size_px", {file.input->extent.cols, file.input->extent.rows}}};
+  }
+  json["version"] = version();
+  return json.dump(1) + "\n";
+}
+
+}  // namespace hada

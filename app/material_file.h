@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/extent.h"
+#include "core/grid.h"
+#include "core/random.h"
+#include "synth/material.h"
+
+namespace hada {
+
+/// A material as it is kept in a file (`"hada": "material/1"`): what it is, how sure that is, and
+/// enough about its origin to repeat it. Only the material itself must be there.
+struct MaterialFile {
+  struct Input {
+    std::string name;  // of the file or folder it was fitted to
+    std::string hash;  // of the values there
+    Extent extent;     // unit, pitch and size
+  };
+
+  Material material;
+  std::optional<Material> sigma;  // standard deviation, field by field
+  Unit unit = Unit::mm;           // what "mm" in the names of the parameters stands for
+  double goodness_p = std::numeric_limits<double>::quiet_NaN();
+  double runner_up_gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> on_bound;
+  int starts = 0;
+  int agreeing = 0;
+  std::vector<std::string> remarks;
+  std::optional<Seed> seed;
+  std::optional<Input> input;
+};
+
+/// throws  Error naming the file and the key for unknown or missing keys, an unknown material, and
+///         values outside their bounds
+MaterialFile read_material(const std::filesystem::path& path);
+
+std::string material_text(const MaterialFile& file);
+
+/// 16 hexadecimal digits that change with any bit of the values (FNV-1a over their bytes).
+std::string hash_of(const Grid<float>& values);
+
+std::string_view name_of(const Material& material);
+
+/// The names of all materials: "wrinkle, wood".
+std::string material_names();
+
+/// The default material of that name. throws  Error that lists the names if there is none
+Material material_named(const std::string& name);
+
+}  // namespace hada

@@ -1,0 +1,98 @@
+#include "app/measurement.h"
+
+#include "core/parallel.h"
+#include "io/json.h"
+
+namespace hada {
+namespace {
+
+Json json_of(const Roughness& r) {
+  return {{"Sa", r.Sa},   {"Sq", r.Sq},   {"Sp", r.Sp},   {"Sv", r.Sv},
+          {"Sz", r.Sz},   {"Ssk", r.Ssk}, {"Sku", r.Sku}, {"Sdq", r.Sdq},
+          {"Sdr", r.Sdr}, {"Sal", r.Sal}, {"Str", r.Str}, {"Std_rad", r.Std}};
+}
+
+Json json_of(const Rings& rings) {
+  return {{"frequency", rings.frequency},
+          {"power", rings.power},
+          {"density", rings.density},
+          {"sigma", rings.sigma},
+          {"count", rings.count}};
+}
+
+Json json_of(const Sectors& sectors) {
+  return {{"angle_rad", sectors.angle},
+          {"power", sectors.power},
+          {"density", sectors.density},
+          {"sigma", sectors.sigma},
+          {"count", sectors.count}};
+}
+
+Json peaks_json(const Measurement& m) {
+  Json of_rings = Json::array();
+  for (const int i : m.ring_peaks) {
+    of_rings.push_back({{"frequency", m.rings.frequency[std::size_t(i)]},
+                        {"power", m.rings.power[std::size_t(i)]}});
+  }
+  Json of_sectors = Json::array();
+  for (const int i : m.sector_peaks) {
+    of_sectors.push_back({{"angle_rad", m.sectors.angle[std::size_t(i)]},
+                          {"power", m.sectors.power[std::size_t(i)]}});
+  }
+  return {{"rings", of_rings}, {"sectors", of_sectors}};
+}
+
+}  // namespace
+
+Grid<float> measured_map(const Surface& surface) {
+  return surface.has_height() ? surface.height : luminance(surface.albedo);
+}
+
+Measurement measure(const Surface& surface) {
+  constexpr int most_peaks = 4;
+  const Grid<float> map = measured_map(surface);
+  Measurement m;
+  m.quantity = surface.has_height() ? "height" : "brightness";
+  m.extent = surface.extent;
+  m.roughness = roughness(map, surface.mask, surface.extent.pitch);
+  m.spectrum = power_spectrum(map, surface.mask, surface.extent);
+  m.rings = rings(m.spectrum);
+  m.sectors = sectors(m.spectrum);
+  m.ring_peaks = peaks(m.rings.power, most_peaks, false);
+  m.sector_peaks = peaks(m.sectors.power, most_peaks, true);
+  return m;
+}
+
+std::string measurement_text(const Measurement& m) {
+  const Json json = {{"hada", "measure/1"},
+                     {"quantity", m.quantity},
+                     {"unit", name_of(m.extent.unit)},
+                     {"pitch", m.extent.pitch},
+                     {"size_px", {m.extent.cols, m.extent.rows}},
+                     {"roughness", json_of(m.roughness)},
+                     {"rings", json_of(m.rings)},
+                     {"sectors", json_of(m.sectors)},
+                     {"peaks", peaks_json(m)}};
+  return json.dump(1) + "\n";
+}
+
+Spectrum expected_spectrum(const Material& material, const Spectrum& like) {
+  Spectrum expected = like;
+  expected.power = {};
+  std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { psd(m, 0.0, 0.0); }) {
+          expected.power = Grid<double>(like.power.rows(), like.power.cols());
+          for_each_index(expected.power.rows(), [&](int row) {
+            for (int col = 0; col < expected.power.cols(); ++col) {
+              expected.power(row, col) =
+                  psd(m, like.fx(col), like.fy(row), like.window_x, like.window_y);
+            }
+          });
+        }
+      },
+      material);
+  return expected;
+}
+
+}  // namespace hada

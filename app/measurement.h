@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/surface.h"
+#include "measure/polar.h"
+#include "measure/roughness.h"
+#include "measure/spectrum.h"
+#include "synth/material.h"
+
+namespace hada {
+
+/// Everything that is said of a surface before any model is believed.
+struct Measurement {
+  std::string quantity;  // "height", or "brightness" where there is no height
+  Extent extent;
+  Roughness roughness;
+  Spectrum spectrum;
+  Rings rings;
+  Sectors sectors;
+  std::vector<int> ring_peaks;
+  std::vector<int> sector_peaks;
+};
+
+/// The height of the surface, or the luminance of its albedo where it has no height.
+Grid<float> measured_map(const Surface& surface);
+
+Measurement measure(const Surface& surface);
+
+/// The text of measure.json.
+std::string measurement_text(const Measurement& measurement);
+
+/// What the spectrum of `like` would be expected to be if its surface were made of `material`:
+/// the same lattice, the same taper. Empty for a material that has no spectrum of its own.
+Spectrum expected_spectrum(const Material& material, const Spectrum& like);
+
+}  // namespace hada

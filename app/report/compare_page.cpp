@@ -1,0 +1,99 @@
+#include "app/report/compare_page.h"
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "app/draw/maps.h"
+#include "app/report/figure.h"
+#include "app/report/html.h"
+#include "app/report/sections.h"
+
+namespace hada {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+std::string maps(const Surface& first, const Surface& second, const Comparison& c) {
+  std::vector<std::string> figures;
+  const std::string unit(name_of(first.extent.unit));
+  if (first.has_height()) {
+    const ReliefStyle style = relief_style(second);
+    figures.push_back(relief_figure(first, style, "The first surface."));
+    figures.push_back(relief_figure(second, style, "The second, same scale and colours."));
+  } else {
+    figures.push_back(
+        map_figure({albedo_picture(first), first.extent.width(), unit, {}, "The first picture."}));
+    figures.push_back(map_figure(
+        {albedo_picture(second), second.extent.width(), unit, {}, "The second picture."}));
+  }
+  if (c.overlap) {
+    const Range range = range_of(c.overlap->difference, c.overlap->mask);
+    figures.push_back(
+        map_figure({scalar_picture(c.overlap->difference, c.overlap->mask, range),
+                    c.overlap->cols * first.extent.pitch, unit,
+                    ColourBar{range, c.first.quantity == "height" ? "difference (" + unit + ")"
+                                                                  : std::string("difference")},
+                    "First minus second, the best plane taken off."}));
+  }
+  return side_by_side(figures);
+}
+
+std::string ring_plot(const Comparison& c) {
+  const std::string unit(name_of(c.first.extent.unit));
+  std::vector<double> densities = c.first.rings.density;
+  densities.insert(densities.end(), c.second.rings.density.begin(), c.second.rings.density.end());
+  return plot(axis_over("frequency (cycles/" + unit + ")", true, c.first.rings.frequency),
+              axis_over("power density", true, densities),
+              {{.name = "first",
+                .x = c.first.rings.frequency,
+                .y = c.first.rings.density,
+                .sigma = c.first.rings.sigma},
+               {.name = "second",
+                .colour = "var(--model)",
+                .x = c.second.rings.frequency,
+                .y = c.second.rings.density,
+                .sigma = c.second.rings.sigma}});
+}
+
+std::string roughness_table(const Comparison& c) {
+  std::vector<TableRow> rows;
+  const auto add = [&](const char* name, double Roughness::*value, const char* meaning) {
+    rows.push_back({{name, fmt::format("{:.4g}", c.first.roughness.*value),
+                     fmt::format("{:.4g}", c.second.roughness.*value), meaning}});
+  };
+  add("Sa", &Roughness::Sa, "mean absolute height");
+  add("Sq", &Roughness::Sq, "root mean square height");
+  add("Ssk", &Roughness::Ssk, "skewness");
+  add("Sku", &Roughness::Sku, "kurtosis");
+  add("Sdq", &Roughness::Sdq, "root mean square slope");
+  add("Sal", &Roughness::Sal, "shortest correlation length");
+  add("Str", &Roughness::Str, "aspect of the texture");
+  add("Std", &Roughness::Std, "direction of the texture, rad");
+  return table({"roughness", "first", "second", "meaning"}, rows);
+}
+
+}  // namespace
+
+std::string compare_page(const Surface& first, const Surface& second, const Comparison& c) {
+  std::string text = fmt::format("The ring spectra differ by {:.2f} dB.", c.spectral_distance_db);
+  if (c.overlap) {
+    text += fmt::format(
+        " Where both are known, on {} pixels, the first differs by {:.3g} root "
+        "mean square, {:.2f} % of the spread of the second.",
+        c.overlap->pixels, c.overlap->height_rmse,
+        100.0 * c.overlap->height_rmse / c.overlap->height_std);
+    if (c.overlap->has_normals) {
+      text += fmt::format(" The normals differ by {:.3f} deg (mean), {:.3f} deg (median).",
+                          c.overlap->normal_mean / degree, c.overlap->normal_median / degree);
+    }
+  } else {
+    text += " They do not lie over each other, so only their statistics are compared.";
+  }
+  return page("Two surfaces compared",
+              "<p class=\"lead\">" + escaped(text) + "</p>\n" + maps(first, second, c) +
+                  side_by_side({plot_figure(ring_plot(c), "How strong waves of each length are."),
+                                roughness_table(c)}));
+}
+
+}  // namespace hada

@@ -1,0 +1,131 @@
+#include "app/telling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace hada {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+double root_mean_square(const Grid<float>& values, const Mask& mask) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!mask[i]) continue;
+    sum += double(values[i]) * values[i];
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+}  // namespace
+
+double direction_sigma_deg(const std::vector<Light>& lights) {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& light : lights) {
+    if (!std::isfinite(light.direction_sigma)) continue;
+    sum += light.direction_sigma * light.direction_sigma;
+    ++count;
+  }
+  return count == 0 ? 0.0 : std::sqrt(sum / count) / degree;
+}
+
+double mean_deg(const std::vector<double>& radians) {
+  double sum = 0.0;
+  for (const double angle : radians) sum += angle;
+  return radians.empty() ? 0.0 : sum / double(radians.size()) / degree;
+}
+
+std::string size_text(const Extent& extent) {
+  return fmt::format("{} x {}", extent.cols, extent.rows);
+}
+
+std::string with_sigma(double value, double sigma) {
+  if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.4g}", value);
+  // Two digits of the sigma, and the value as far as they reach.
+  const int digits = std::clamp(1 - int(std::floor(std::log10(sigma))), 0, 12);
+  return fmt::format("{:.{}f} \u00b1 {:.{}f}", value, digits, sigma, digits);
+}
+
+std::string told(const Calibration& c) {
+  std::string text =
+      counted(c.lights.size(), "light") + " read off " + counted(c.readings.size(), "sphere") +
+      fmt::format(", each direction known to {:.2g} deg", direction_sigma_deg(c.lights));
+  if (c.readings.size() > 1) {
+    text += fmt::format("; the spheres disagree by {:.2f} deg", c.disagreement / degree);
+  }
+  return text;
+}
+
+std::string told(const LitCapture& lit) {
+  if (lit.calibration) return told(*lit.calibration);
+  return counted(lit.lights.lights.size(), "light") + " taken from " + lit.source;
+}
+
+std::string told(const Reconstruction& r) {
+  const Surface& s = r.surface;
+  const auto unit = name_of(s.extent.unit);
+  std::string text = fmt::format("surface of {} pixels ({:.4g} x {:.4g} {}): height {:.3g} {} rms",
+                                 size_text(s.extent), s.extent.width(), s.extent.height(), unit,
+                                 root_mean_square(s.height, s.mask), unit);
+  if (!s.normal_sigma.empty()) {
+    text += fmt::format(", normals known to {:.2g} deg",
+                        root_mean_square(s.normal_sigma, s.mask) / degree);
+  }
+  return text + fmt::format(", relighting error {:.1f} %", 100.0 * r.relighting_error);
+}
+
+std::vector<std::string> told(const MaterialFile& file) {
+  std::map<std::string, double> sigma;
+  if (file.sigma) {
+    std::visit(
+        [&](const auto& m) {
+          visit_fields(
+              m, [&](const std::string& path, const auto&, double value) { sigma[path] = value; });
+        },
+        *file.sigma);
+  }
+  std::vector<std::string> lines;
+  std::string group;
+  std::visit(
+      [&](const auto& m) {
+        visit_fields(m, [&](const std::string& path, const auto& field, double value) {
+          const auto dot = path.rfind('.');
+          const std::string owner = dot == std::string::npos ? "" : path.substr(0, dot);
+          if (owner != group || lines.empty() || owner.empty()) {
+            lines.push_back("  " + (owner.empty() ? "" : owner + ": "));
+          } else {
+            lines.back() += ", ";
+          }
+          group = owner;
+          lines.back() += fmt::format("{} {}", field.name, with_sigma(value, sigma[path]));
+        });
+      },
+      file.material);
+  lines.insert(lines.begin(), fmt::format("{} ({} of {} starts agree)", name_of(file.material),
+                                          file.agreeing, file.starts));
+  return lines;
+}
+
+std::string told(const TruthCheck& truth) {
+  std::string text =
+      fmt::format("against the truth: lights {:.2f} deg", mean_deg(truth.light_errors));
+  if (truth.surface.overlap) {
+    const Overlap& o = *truth.surface.overlap;
+    text += fmt::format(", normals {:.2f} deg, height {:.2f} % of its spread",
+                        o.normal_mean / degree, 100.0 * o.height_rmse / o.height_std);
+  }
+  return text;
+}
+
+}  // namespace hada

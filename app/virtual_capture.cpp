@@ -1,0 +1,81 @@
+#include "app/virtual_capture.h"
+
+#include <fmt/format.h>
+
+#include "app/files.h"
+#include "app/material_file.h"
+#include "capture/photograph.h"
+#include "io/image_file.h"
+#include "io/lights_file.h"
+#include "io/surface_file.h"
+#include "synth/synthesize.h"
+
+namespace hada {
+namespace {
+
+std::string picture_name(std::size_t index, int bits) {
+  return fmt::format("light_{:02}.{}", index + 1, bits == 32 ? "exr" : "png");
+}
+
+CaptureFile manifest(const std::filesystem::path& folder, std::size_t pictures, const Rig& rig) {
+  CaptureFile file;
+  file.folder = folder;
+  file.encoding = "linear";
+  file.pitch_mm = rig.pitch_mm;
+  for (std::size_t k = 0; k < pictures; ++k) {
+    const std::string name = picture_name(k, rig.bits);
+    file.pictures.push_back({folder / name, name, {}, {}});
+  }
+  return file;
+}
+
+}  // namespace
+
+VirtualCapture virtual_capture(const Recipe& recipe) {
+  const Surface sheet = synthesize(recipe.material, recipe.sheet, recipe.sheet_seed);
+  VirtualCapture capture{photograph(sheet, recipe.rig), seen(sheet, recipe.rig)};
+  for (std::size_t k = 0; k < capture.stack.lights.size(); ++k) {
+    capture.stack.lights[k].image = picture_name(k, recipe.rig.bits);
+  }
+  return capture;
+}
+
+Photographs as_loaded(const VirtualCapture& capture, const Recipe& recipe) {
+  Photographs photographs;
+  photographs.file = manifest(recipe.name, capture.stack.images.size(), recipe.rig);
+  photographs.camera = capture.stack.camera;
+  photographs.images = capture.stack.images;
+  for (const auto& samples : capture.stack.samples) {
+    Mask saturated(samples.rows(), samples.cols());
+    for (std::size_t i = 0; i < samples.size(); ++i) saturated[i] = samples[i] == Sample::saturated;
+    photographs.saturated.push_back(std::move(saturated));
+  }
+  photographs.bits = recipe.rig.bits;
+  return photographs;
+}
+
+void write_capture(const std::filesystem::path& folder, const VirtualCapture& capture,
+                   const Recipe& recipe) {
+  Output output(folder);
+  Output truth(folder / "truth");
+  const CaptureFile file = manifest(folder, capture.stack.images.size(), recipe.rig);
+  for (std::size_t k = 0; k < file.pictures.size(); ++k) {
+    const auto path = output.file(file.pictures[k].name);
+    if (recipe.rig.bits == 32) {
+      write_exr(path, capture.stack.images[k]);
+    } else {
+      write_integer_image(path, capture.stack.images[k], recipe.rig.bits);
+    }
+  }
+  put_text(output, "capture.json", capture_text(file));
+  write_surface(truth, capture.truth);
+  put_text(truth, "lights.json", lights_text({capture.stack.lights, {}, "linear"}));
+  MaterialFile material;
+  material.material = recipe.material;
+  material.seed = recipe.sheet_seed;
+  put_text(truth, "material.json", material_text(material));
+  truth.commit();
+  output.commit();
+}
+
+}  // namespace hada
