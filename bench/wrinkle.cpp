@@ -10,12 +10,13 @@ int main(int argc, char** argv) {
   if (argc > 2) options.components = std::atoi(argv[2]);
   if (argc > 3) options.noise_mm = std::atof(argv[3]);
   const auto score = hada::study_wrinkles(options);
-  std::printf("%-30s %14s %10s %8s\n", "field", "median error", "95 % holds", "rms/sig");
+  std::printf("%-30s %14s %10s %8s %8s\n", "field", "median error", "95 % holds", "bias/sig",
+              "rms/sig");
   for (const auto& field : score.fields) {
     const bool angle = field.path.find("angle") != std::string::npos;
-    std::printf("%-30s %10.3f %-3s %8.1f %% %8.2f\n", field.path.c_str(),
+    std::printf("%-30s %10.3f %-3s %8.1f %% %8.2f %8.2f\n", field.path.c_str(),
                 angle ? field.median_error : 100.0 * field.median_error, angle ? "deg" : "%",
-                100.0 * field.coverage, field.spread);
+                100.0 * field.coverage, field.bias, field.spread);
   }
   double agreeing = 0.0;
   for (const double share : score.agreeing) agreeing += share / double(score.agreeing.size());

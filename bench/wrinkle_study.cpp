@@ -54,6 +54,7 @@ FieldScore score(const std::string& path, const Errors& errors) {
   for (const double ratio : errors.in_sigma) {
     result.coverage += std::abs(ratio) < 1.959964 ? 1.0 : 0.0;
     squares += ratio * ratio;
+    result.bias += ratio / double(errors.in_sigma.size());
   }
   const double n = double(errors.in_sigma.size());
   result.coverage /= n;

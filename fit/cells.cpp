@@ -12,8 +12,6 @@
 namespace hada {
 namespace {
 
-constexpr double emptied_by_levelling = 1.5;  // frequency steps
-
 struct Sums {
   double fx = 0.0, fy = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, power = 0.0, near = 0.0, far = 0.0;
   int count = 0;
@@ -42,9 +40,13 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
   const double inner = options.inner_bins * step;
   const int sectors = int(std::ceil(std::numbers::pi / options.growth));
 
+  const double faintest =
+      options.faintest * *std::max_element(leakage.near.begin(), leakage.near.end());
+
   std::vector<Cell> cells;
   const auto append = [&](const Sums& sums) {
-    if (sums.far <= options.most_leakage * (sums.near + sums.far))
+    const double near = sums.near / sums.count, far = sums.far / sums.count;
+    if (near > faintest && far <= options.most_leakage * (near + far))
       cells.push_back(cell_from(sums, spectrum, leakage.far_share));
   };
   std::map<std::pair<int, int>, Sums> outer;  // by ring and sector
@@ -53,7 +55,7 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
     const double fy = spectrum.fy(row);
     for (int col = 0; col <= extent.cols / 2; ++col) {
       if (col == 0 && i < 0) continue;  // seen at (-i, 0)
-      if (std::hypot(i, col) < emptied_by_levelling) continue;
+      if (std::hypot(i, col) < options.empty_steps) continue;
       const double fx = spectrum.fx(col);
       const double radius = std::hypot(fx, fy);
       if (radius >= 0.5 / extent.pitch) continue;

@@ -22,17 +22,19 @@ struct Cell {
 };
 
 struct CellOptions {
+  double empty_steps = 0.5;    // frequency steps around 0 that levelling has emptied
   double inner_bins = 16.0;    // up to this many frequency steps from 0 an ordinate stays alone
   double growth = 0.06;        // size of a cell further out, as a share of its distance from 0
   double most_leakage = 0.15;  // share of a cell's power; a cell with more is left out
+  double faintest = 1e-10;     // share of the highest power; a cell with less is left out
 };
 
 /// The half plane of a spectrum, cut into cells that grow with their distance from frequency 0.
 ///
-/// Left out are the frequencies within 1.5 steps of 0, which taking off a mean or a plane empties,
-/// those beyond the Nyquist circle, and those that hold little but leakage. The mean of S over a
-/// cell is, to third order in its size, the transform of an autocovariance narrowed by twice pi^2
-/// times the scatter of its frequencies: that is where `xx`, `xy` and `yy` come from.
+/// Left out are the frequencies around 0, those beyond the Nyquist circle, and those that hold
+/// little but leakage or rounding. The mean of S over a cell is, to third order in its size, the
+/// transform of an autocovariance narrowed by twice pi^2 times the scatter of its frequencies: that
+/// is where `xx`, `xy` and `yy` come from.
 std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
                            const CellOptions& options = {});
 

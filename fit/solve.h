@@ -16,7 +16,7 @@ namespace hada {
 struct SolveOptions {
   int max_iterations = 200;
   double tolerance = 1e-10;  // relative change of the cost at which a start is done
-  double same_cost = 0.01;   // endings whose costs differ by less (or by 1e-6 of it) are one ending
+  double same_cost = 0.1;    // endings whose costs differ by less (or by 1e-6 of it) are one ending
 };
 
 /// Fills the residuals at `packed` and, unless `jacobian` is null, their derivatives, a row each.

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/scalar.h"
 #include "fit/cells.h"
+#include "fit/goodness.h"
 #include "fit/solve.h"
 #include "fit/wrinkle_starts.h"
 
@@ -14,8 +15,8 @@ namespace hada {
 namespace {
 
 constexpr int fewest_pixels = 32;  // along each side: fewer hold too few ordinates to tell shapes
-constexpr CellOptions coarse_cells{.inner_bins = 10.0, .growth = 0.12};  // for the first stage
-constexpr double cauchy_scale = 3.0;  // deviations beyond which a cell loses its say at first
+constexpr double least_goodness = 1e-3;  // p below which a person is told
+constexpr double cauchy_scale = 3.0;     // deviations beyond which a cell loses its say at first
 
 /// What the fit looks at.
 struct Observation {
@@ -24,6 +25,13 @@ struct Observation {
   std::vector<Cell> fine;
   std::vector<std::string> remarks;
 };
+
+/// Taking off the mean empties frequency 0 alone. A plane takes 6 / pi^2 of the power one step away
+/// with it; a quadratic nearly all of that, and some of it two steps away.
+double steps_emptied_by(const std::string& levelling) {
+  if (levelling == "offset") return 0.5;
+  return levelling == "plane" ? 1.5 : 2.5;
+}
 
 Observation observe(const Surface& surface) {
   Observation seen;
@@ -45,8 +53,11 @@ Observation observe(const Surface& surface) {
     seen.remarks.push_back("The pitch is unknown: lengths and amplitudes count pixels, not mm.");
   }
   const Leakage leaked = leakage(seen.spectrum);
-  seen.coarse = cells_of(seen.spectrum, leaked, coarse_cells);
-  seen.fine = cells_of(seen.spectrum, leaked);
+  const double hole = steps_emptied_by(surface.levelling);
+  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole});
+  seen.coarse =
+      cells_of(seen.spectrum, leaked,
+               {.empty_steps = hole, .inner_bins = 10.0, .growth = 0.12, .faintest = 1e-6});
   double highest = 0.0;
   for (const Cell& cell : seen.fine) highest = std::max(highest, cell.power);
   if (!(highest > 0.0)) {
@@ -171,9 +182,9 @@ Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation&
   const double kappa = seen.spectrum.independence;
   const auto rough =
       materials(starts.front(), endings_of(starts, int(seen.coarse.size()),
-                                           log_ratios(seen.coarse, kappa), {.tolerance = 1e-4}));
+                                           log_ratios(seen.coarse, kappa), {.max_iterations = 50, .tolerance = 1e-4}));
   const auto whittle = deviances(seen.fine, kappa);
-  auto fit = solve(rough, int(seen.fine.size()), whittle, {.tolerance = 1e-8});
+  auto fit = solve(rough, int(seen.fine.size()), whittle, {.max_iterations = 60, .tolerance = 1e-7});
   fit.starts = int(starts.size());
   fit.material = canonical(fit.material);
 
@@ -183,7 +194,28 @@ Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation&
   const double without = half_sum_of_squares(bare, seen.fine.size(), whittle);
   if (without < fit.cost + 0.01) fit.material = bare;
   set_uncertainty(fit, information_of(fit.material, seen));
+  fit.goodness_p = goodness_of_fit(seen.fine, densities(fit.material, seen.fine), kappa,
+                                   int(pack(fit.material).size()));
   return fit;
+}
+
+std::vector<std::string> remarks_on(const Fit<Wrinkle<>>& fit) {
+  std::vector<std::string> remarks;
+  for (const auto& path : fit.on_bound) {
+    remarks.push_back(path == "floor_mm4"
+                          ? "No noise floor can be seen; floor_mm4 lies on its lower bound."
+                          : path + " ended on a bound, so that its sigma means nothing.");
+  }
+  if (fit.agreeing < 2 && fit.starts > 1) {
+    remarks.push_back("Only one start of " + std::to_string(fit.starts) +
+                      " ended at the best fit; another fit may be as good.");
+  }
+  if (fit.goodness_p < least_goodness) {
+    remarks.push_back(
+        "The spectrum departs from that of wrinkle noise by more than chance explains: read the "
+        "sigmas as too small.");
+  }
+  return remarks;
 }
 
 double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
@@ -211,6 +243,7 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
     best = std::move(fit);
   }
   best.remarks = seen.remarks;
+  for (auto& remark : remarks_on(best)) best.remarks.push_back(std::move(remark));
   return best;
 }
 

@@ -12,9 +12,8 @@
 namespace hada {
 namespace {
 
-// Below this share of the largest density a frequency moves the surface by less than float can
-// hold.
-constexpr double negligible = 1e-14;
+// Below this share of the largest density a frequency is lost in the rounding of float heights.
+constexpr double negligible = 1e-18;
 
 /// A complex number with mean 0 and mean square modulus 1, Gaussian; that of (-i, -j) is its
 /// conjugate, so that the field is real.
