@@ -180,11 +180,12 @@ std::vector<Wrinkle<>> materials(const Wrinkle<>& shape, const std::vector<Endin
 
 Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation& seen) {
   const double kappa = seen.spectrum.independence;
-  const auto rough =
-      materials(starts.front(), endings_of(starts, int(seen.coarse.size()),
-                                           log_ratios(seen.coarse, kappa), {.max_iterations = 50, .tolerance = 1e-4}));
+  const auto rough = materials(
+      starts.front(), endings_of(starts, int(seen.coarse.size()), log_ratios(seen.coarse, kappa),
+                                 {.max_iterations = 50, .tolerance = 1e-4}));
   const auto whittle = deviances(seen.fine, kappa);
-  auto fit = solve(rough, int(seen.fine.size()), whittle, {.max_iterations = 60, .tolerance = 1e-7});
+  auto fit =
+      solve(rough, int(seen.fine.size()), whittle, {.max_iterations = 60, .tolerance = 1e-7});
   fit.starts = int(starts.size());
   fit.material = canonical(fit.material);
 
