@@ -51,6 +51,30 @@ TEST(FitWrinkle, FindsTheTruthWithinItsSigma) {
   EXPECT_EQ(fit.starts, 8);
 }
 
+TEST(FitWrinkle, HasIntervalsThatHoldTheTruth) {
+  int held = 0, asked = 0;
+  for (Seed seed = 10; seed < 20; ++seed) {
+    const auto fit = fit_wrinkle(sample(truth, 160, seed), {.components = 2});
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& found = fit.material.components[k];
+      const auto& sigma = fit.sigma.components[k];
+      const auto& right = truth.components[k];
+      const double turned = half_turn(found.angle_rad - right.angle_rad + pi / 2) - pi / 2;
+      const auto holds = [](double error, double deviation) {
+        return std::abs(error) < 1.96 * deviation ? 1 : 0;
+      };
+      held += holds(found.amplitude_mm - right.amplitude_mm, sigma.amplitude_mm);
+      held += holds(found.long_mm - right.long_mm, sigma.long_mm);
+      held += holds(found.short_mm - right.short_mm, sigma.short_mm);
+      held += holds(turned, sigma.angle_rad);
+      asked += 4;
+    }
+  }
+  // 95 % of 80 is 76; amplitude and lengths move together, so that some 40 answers are
+  // independent: a deviation of 2.8, three of them.
+  EXPECT_GE(held, 76 - 8) << "of " << asked;
+}
+
 TEST(FitWrinkle, ChoosesTheNumberOfComponents) {
   const auto fit = fit_wrinkle(sample(truth, 160, 2), {.most_components = 3});
   EXPECT_EQ(fit.material.components.size(), 2u);
