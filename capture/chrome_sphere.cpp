@@ -83,9 +83,12 @@ std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturate
   const float rest = quantile(disc, 0.5);
   const DiscPixel peak = *std::max_element(
       disc.begin(), disc.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-  // Halfway up (above the dark reflection of the room) bounds the light's own disc.
-  const float level = rest + 0.5f * (peak.value - rest);
-  const auto blob = blob_at(disc, peak, level, grey);
+  // Halfway up (above the dark reflection of the room) bounds the light's own disc. A small spot is
+  // mostly border, so there the partly covered pixels count too.
+  const float rise = peak.value - rest;
+  auto blob = blob_at(disc, peak, rest + 0.5f * rise, grey);
+  constexpr std::size_t small_spot = 40;  // px
+  if (blob.size() < small_spot) blob = blob_at(disc, peak, rest + 0.04f * rise, grey);
 
   const SphereInSpace in_place = in_space(sphere, camera);
   Highlight found;
@@ -146,8 +149,10 @@ SphereReading read_chrome_sphere(const Photographs& linear, const Sphere& sphere
       if (measured) light.strength.setConstant(h->flux);
       // Half a turn of the normal is a whole turn of the mirrored ray: twice the angle that an
       // error of the circle means, and the middle of the spot to a tenth of its own width.
-      const double circle = 2.0 * sphere.sigma_px / sphere.radius_px;
-      light.direction_sigma = std::hypot(circle, 0.1 * h->width);
+      // A clipped spot shows only which pixels it touches.
+      const double spot_px = h->clipped ? 0.3 : 0.05;
+      const double outline_and_spot = 2.0 * std::hypot(sphere.sigma_px, spot_px) / sphere.radius_px;
+      light.direction_sigma = std::hypot(outline_and_spot, 0.1 * h->width);
     }
     reading.highlights_px.push_back(h ? h->center_px : Eigen::Vector2d(-1.0, -1.0));
     reading.lights.push_back(light);

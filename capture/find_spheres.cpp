@@ -91,14 +91,24 @@ std::vector<Circle> circles_in(const Overview& all, const CircleSearch& search) 
   return circles;
 }
 
-Candidate judged(const Photographs& photographs, const Overview& all, const Circle& circle) {
+// `views` are the readings of the pictures that are possible: linear, sRGB or either.
+Candidate judged(const Photographs& photographs, const std::vector<Overview>& views,
+                 const Circle& circle) {
   Candidate candidate{circle, SphereKind::matte, 0.0};
-  const double matte = matte_likeness(photographs, all, circle);
-  const double chrome = chrome_likeness(photographs, all, circle);
+  double matte = 0.0;
+  for (const Overview& view : views) {
+    matte = std::max(matte, matte_likeness(photographs, view, circle));
+  }
+  const double chrome = chrome_likeness(photographs, views.front(), circle);
   constexpr double convincing = 0.65;
   if (matte < convincing && chrome == 0.0) return candidate;
   candidate.kind = matte >= convincing ? SphereKind::matte : SphereKind::chrome;
   candidate.worth = circle.coverage * std::max(matte, 0.8 * chrome);
+  if (candidate.kind == SphereKind::matte) {
+    // A matte disc is bright on dark: linear values place its edge, logarithms would widen it.
+    const Circle sharp = refined(views.front().brightest, circle, 0.08);
+    if (sharp.coverage >= 0.8 * circle.coverage) candidate.circle = sharp;
+  }
   return candidate;
 }
 
@@ -208,18 +218,23 @@ void add_boxed(Selection& selection, const CaptureFile& file,
 }  // namespace
 
 FoundSpheres find_spheres(const Photographs& photographs) {
-  const Overview all = overview(photographs);
+  std::vector<Overview> views{overview(photographs)};
+  if (!photographs.encoding_known) {
+    Photographs other = photographs;
+    other.linear = !other.linear;
+    views.push_back(overview(other));
+  }
   const Extent& extent = photographs.camera.extent;
   CircleSearch search;
   search.smallest_radius = std::max(6.0, 0.015 * std::min(extent.rows, extent.cols));
   const auto disc = disc_of(photographs.mask);
-  const auto circles = disc ? std::vector<Circle>{*disc} : circles_in(all, search);
+  const auto circles = disc ? std::vector<Circle>{*disc} : circles_in(views.front(), search);
   std::vector<Candidate> candidates(circles.size());
   for_each_index(int(circles.size()), [&](int i) {
-    candidates[std::size_t(i)] = judged(photographs, all, circles[std::size_t(i)]);
+    candidates[std::size_t(i)] = judged(photographs, views, circles[std::size_t(i)]);
   });
 
-  Selection selection(photographs, all);
+  Selection selection(photographs, views.front());
   const auto& hints = photographs.file.spheres;
   if (std::any_of(hints.begin(), hints.end(), [](const auto& h) { return h.box.has_value(); })) {
     add_boxed(selection, photographs.file, candidates);

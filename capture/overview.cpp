@@ -19,10 +19,9 @@ float high_quantile(Grid<float> values, double share) {
 
 Overview overview(const Photographs& photographs) {
   Overview all;
-  const bool decode = photographs.encoding_known && !photographs.linear;
   for (const Image& image : photographs.images) {
     all.greys.push_back(luminance(image));
-    if (decode) {
+    if (!photographs.linear) {
       for (float& value : all.greys.back()) value = linear_from_srgb(value);
     }
     all.bright.push_back(high_quantile(all.greys.back(), 0.99));

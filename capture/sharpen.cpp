@@ -45,7 +45,7 @@ std::vector<RimPixel> rim_pixels(const Extent& extent, const Sphere& sphere, dou
 // What a pixel on the rim would show: the shaded sphere where it covers the pixel, the table else.
 double drawn(const RimPixel& pixel, double background, const MatteShading& shading,
              const SphereInSpace& sphere, const Camera& camera, const Sphere& seen) {
-  constexpr int fine = 4;
+  constexpr int fine = 8;
   const Eigen::Vector2d at(pixel.col + 0.5, pixel.row + 0.5);
   const bool on_rim = std::abs((at - seen.center_px).norm() - seen.radius_px) < 1.5;
   const int steps = on_rim ? fine : 1;
@@ -97,17 +97,21 @@ Sphere sharpened_matte(const Photographs& linear, const Sphere& sphere, double r
     std::vector<double> squares(pictures, 0.0);
     for_each_index(int(pictures), [&](int picture) {
       const auto k = std::size_t(picture);
-      constexpr double step = 0.1;  // px
+      // Central differences: one-sided ones pulled every centre by half a step.
+      constexpr double step = 0.15;  // px
       const auto here = residuals_of(k, best);
-      std::vector<std::vector<double>> there(3);
+      std::vector<std::vector<double>> before(3), after(3);
       for (int axis = 0; axis < 3; ++axis) {
-        there[std::size_t(axis)] = residuals_of(k, moved(best, step * Eigen::Vector3d::Unit(axis)));
+        const Eigen::Vector3d by = step * Eigen::Vector3d::Unit(axis);
+        before[std::size_t(axis)] = residuals_of(k, moved(best, -by));
+        after[std::size_t(axis)] = residuals_of(k, moved(best, by));
       }
       constexpr double huber = 0.03;  // of the brightness: dust, contact shadow, mirrored sheet
       for (std::size_t i = 0; i < here.size(); ++i) {
-        const Eigen::Vector3d jacobian =
-            Eigen::Vector3d(there[0][i] - here[i], there[1][i] - here[i], there[2][i] - here[i]) /
-            step;
+        Eigen::Vector3d jacobian;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          jacobian[Eigen::Index(axis)] = (after[axis][i] - before[axis][i]) / (2.0 * step);
+        }
         const double weight = std::min(1.0, huber / std::max(std::abs(here[i]), 1e-12));
         normals[k] += weight * jacobian * jacobian.transpose();
         rights[k] -= weight * here[i] * jacobian;

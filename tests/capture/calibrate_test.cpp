@@ -1,0 +1,95 @@
+#include "capture/calibrate.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "io/image_file.h"
+#include "table_scene.h"
+
+namespace hada {
+namespace {
+
+double mean_error_deg(const std::vector<Light>& found, const std::vector<Light>& truth) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    sum += angle_deg(found[k].direction, truth[k].direction) / double(truth.size());
+  }
+  return sum;
+}
+
+TEST(Calibrate, ReadsTheLightsOffAMatteSphere) {
+  const Calibration calibration = calibrate(table_scene({matte_at(-18.0, 0.0)}));
+  const auto truth = six_lights();
+  ASSERT_EQ(calibration.lights.size(), truth.size());
+  // An outline known to 0.1 px of 25 tilts every light by 0.23 degrees.
+  EXPECT_LT(mean_error_deg(calibration.lights, truth), 0.3);
+  double mean = 0.0;
+  for (const Light& light : truth) mean += light.strength[0] / double(truth.size());
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    EXPECT_NEAR(calibration.lights[k].strength[0], truth[k].strength[0] / mean, 0.01);
+  }
+}
+
+TEST(Calibrate, ReadsTheLightsOffAChromeSphere) {
+  const Calibration calibration = calibrate(table_scene({chrome_at(-18.0, 0.0, 12.0)}));
+  // The spot is smaller than a pixel and clips, so it is known to 0.3 px, and the mirror doubles
+  // the angle: 2 * 0.3 / 30 = 1.15 degrees.
+  EXPECT_LT(mean_error_deg(calibration.lights, six_lights()), 1.15);
+}
+
+TEST(Calibrate, ReportsHowMuchTheSpheresDisagree) {
+  const Calibration calibration =
+      calibrate(table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)}));
+  ASSERT_EQ(calibration.readings.size(), 2u);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    sum += angle_deg(calibration.readings[0].lights[k].direction,
+                     calibration.readings[1].lights[k].direction);
+  }
+  EXPECT_NEAR(calibration.disagreement / degree, sum / 6.0, 1e-9);
+}
+
+TEST(Calibrate, HearsFromTheMatteSphereHowThePicturesAreEncoded) {
+  for (const bool linear : {true, false}) {
+    Photographs photographs = table_scene({matte_at(-18.0, 0.0)});
+    photographs.encoding_known = false;
+    photographs.linear = !linear;  // the assumption that it must correct
+    if (!linear) {
+      for (Image& image : photographs.images) {
+        for (float& value : image.planes[0]) value = srgb_from_linear(value);
+      }
+    }
+    EXPECT_EQ(calibrate(photographs).linear, linear);
+  }
+}
+
+TEST(Calibrate, SigmaIsOfTheOrderOfTheError) {
+  const Calibration calibration = calibrate(table_scene({matte_at(-18.0, 0.0)}));
+  const auto truth = six_lights();
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    const double error = angle_deg(calibration.lights[k].direction, truth[k].direction) * degree;
+    // Two tangent axes: 4 sigma holds all but 3 in 10 000 draws of a fair sigma.
+    EXPECT_LT(error, 4.0 * std::max(calibration.lights[k].direction_sigma, 0.001));
+  }
+}
+
+TEST(Calibrate, FindsTheSameBytesOnOneAndTwoThreads) {
+  const Photographs photographs = table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)});
+  set_threads(1);
+  const Calibration one = calibrate(photographs);
+  set_threads(2);
+  const Calibration two = calibrate(photographs);
+  set_threads(0);
+  for (std::size_t k = 0; k < one.lights.size(); ++k) {
+    EXPECT_EQ(one.lights[k].direction, two.lights[k].direction);
+    EXPECT_EQ(one.lights[k].direction_sigma, two.lights[k].direction_sigma);
+  }
+}
+
+TEST(Calibrate, SaysThatThereIsNoSphere) {
+  EXPECT_THROW(calibrate(table_scene({})), Error);
+}
+
+}  // namespace
+}  // namespace hada

@@ -1,0 +1,69 @@
+#include "capture/circle.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+
+namespace hada {
+namespace {
+
+// A disc of brightness 1 on 0.2, drawn with the covered share of each pixel, and noise.
+Grid<float> disc(const Eigen::Vector2d& center, double radius, double noise) {
+  Grid<float> picture(240, 320);
+  for (int row = 0; row < picture.rows(); ++row) {
+    for (int col = 0; col < picture.cols(); ++col) {
+      int inside = 0;
+      for (int i = 0; i < 8; ++i) {
+        for (int j = 0; j < 8; ++j) {
+          const Eigen::Vector2d at(col + (i + 0.5) / 8.0, row + (j + 0.5) / 8.0);
+          inside += (at - center).norm() < radius;
+        }
+      }
+      picture(row, col) = float(0.2 + 0.8 * inside / 64.0 + noise * gaussian(3, row, col));
+    }
+  }
+  return picture;
+}
+
+TEST(Circle, CandidatesHoldTheDiscThatWasDrawn) {
+  const Eigen::Vector2d center(131.3, 98.7);
+  const auto candidates = circle_candidates(disc(center, 41.6, 0.02));
+  ASSERT_FALSE(candidates.empty());
+  // The vote counts whole pixels and steps of the radius of 2 %.
+  EXPECT_LT((candidates.front().center - center).norm(), 2.5);
+  EXPECT_NEAR(candidates.front().radius, 41.6, 2.0);
+}
+
+TEST(Circle, RefinementFindsTheOutlineToATenthOfAPixel) {
+  const Eigen::Vector2d center(131.3, 98.7);
+  const Circle sharp = refined(disc(center, 41.6, 0.02), {{132.5, 97.5}, 43.0, 0.0, 0.0}, 0.12);
+  // 260 radii, each placing the edge to about 0.3 px under this noise: 0.3 sqrt(2 / 260) = 0.03 px.
+  EXPECT_LT((sharp.center - center).norm(), 0.1);
+  EXPECT_NEAR(sharp.radius, 41.6, 0.1);
+  EXPECT_GT(sharp.coverage, 0.95);
+}
+
+TEST(Circle, NoiseAloneHasNoOutline) {
+  Grid<float> noise(240, 320);
+  for (int row = 0; row < noise.rows(); ++row) {
+    for (int col = 0; col < noise.cols(); ++col) noise(row, col) = float(gaussian(5, row, col));
+  }
+  EXPECT_LT(refined(noise, {{160.0, 120.0}, 50.0, 0.0, 0.0}, 0.12).coverage, 0.5);
+}
+
+TEST(Circle, CoverageIsTheShareOfTheOutlineThatIsSeen) {
+  const Eigen::Vector2d center(160.0, 120.0);
+  Grid<float> picture = disc(center, 50.0, 0.01);
+  for (int row = 0; row < picture.rows(); ++row) {
+    for (int col = 160; col < picture.cols(); ++col) picture(row, col) = 0.2f;
+  }
+  const Circle half = refined(picture, {center, 50.0, 0.0, 0.0}, 0.1);
+  // On the other half noise has its steepest point anywhere within 3 px, a third of it within the
+  // 1 px that counts: 1/2 + 1/3 of 1/2.
+  EXPECT_NEAR(half.coverage, 0.5 + 0.5 / 3.0, 0.08);
+}
+
+}  // namespace
+}  // namespace hada

@@ -1,0 +1,65 @@
+#include "capture/find_spheres.h"
+
+#include <gtest/gtest.h>
+
+#include "capture/sphere_geometry.h"
+#include "core/error.h"
+#include "table_scene.h"
+
+namespace hada {
+namespace {
+
+TEST(FindSpheres, FindsBothKindsAndNothingElse) {
+  const auto found = find_spheres(table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)}));
+  ASSERT_EQ(found.spheres.size(), 2u);
+  const Sphere& chrome = found.spheres[0];  // from left to right
+  const Sphere& matte = found.spheres[1];
+  EXPECT_EQ(chrome.kind, SphereKind::chrome);
+  EXPECT_EQ(matte.kind, SphereKind::matte);
+  // The picture's middle is (150, 100) px, a pixel 0.2 mm, y runs against v.
+  EXPECT_LT((matte.center_px - Eigen::Vector2d(60.0, 55.0)).norm(), 0.3);
+  EXPECT_NEAR(matte.radius_px, 25.0, 0.7);
+  EXPECT_LT((chrome.center_px - Eigen::Vector2d(50.0, 145.0)).norm(), 0.6);
+  EXPECT_NEAR(chrome.radius_px, 25.0, 0.8);
+}
+
+TEST(FindSpheres, FindsNoneWhereThereIsNone) {
+  const auto found = find_spheres(table_scene({}));
+  EXPECT_TRUE(found.spheres.empty());
+}
+
+TEST(FindSpheres, RejectsASphereThatTheFrameCutsOff) {
+  const auto found = find_spheres(table_scene({matte_at(-28.0, 0.0)}));
+  EXPECT_TRUE(found.spheres.empty());
+  ASSERT_FALSE(found.rejected.empty());
+  EXPECT_NE(found.rejected.front().find("cut off by the frame"), std::string::npos);
+}
+
+TEST(FindSpheres, TakesABoxAsAHintAndKeepsItsDiameter) {
+  Photographs photographs = table_scene({matte_at(-18.0, 9.0), matte_at(-20.0, -9.0)});
+  CaptureFile::SphereHint hint;
+  hint.box = BoxPx{15, 110, 85, 180};
+  hint.diameter_mm = 10.0;
+  photographs.file.spheres = {hint};
+  const auto found = find_spheres(photographs);
+  ASSERT_EQ(found.spheres.size(), 1u);
+  EXPECT_LT((found.spheres[0].center_px - Eigen::Vector2d(50.0, 145.0)).norm(), 0.5);
+  EXPECT_EQ(found.spheres[0].diameter_mm, 10.0);
+}
+
+TEST(FindSpheres, SaysWhichBoxHoldsNoSphere) {
+  Photographs photographs = table_scene({matte_at(-18.0, 9.0)});
+  CaptureFile::SphereHint hint;
+  hint.box = BoxPx{180, 60, 240, 120};
+  photographs.file.spheres = {hint};
+  try {
+    find_spheres(photographs);
+    FAIL() << "a box on the sheet was taken for a sphere";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("sphere box [180, 60, 240, 120] holds no sphere"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hada
