@@ -45,7 +45,7 @@ std::vector<int> part_order(const Material& found, const Material& truth) {
       const auto& targets = first_list(wanted);
       const auto& parts = first_list(std::get<M>(found));
       auto order = counting(parts.size());
-      if (parts.size() != targets.size()) return order;
+      if (parts.size() < targets.size()) return std::vector<int>{};
       auto best = order;
       double smallest = HUGE_VAL;
       do {
@@ -58,6 +58,7 @@ std::vector<int> part_order(const Material& found, const Material& truth) {
           best = order;
         }
       } while (std::next_permutation(order.begin(), order.end()));
+      best.resize(targets.size());
       return best;
     }
     return std::vector<int>{};
@@ -72,9 +73,8 @@ Material reordered(const Material& material, const std::vector<int>& order) {
         using M = std::decay_t<decltype(m)>;
         if constexpr (HasParts<M>) {
           const auto& parts = first_list(std::get<M>(material));
-          for (std::size_t i = 0; i < order.size(); ++i) {
-            first_list(m)[i] = parts[std::size_t(order[i])];
-          }
+          first_list(m).clear();
+          for (const int part : order) first_list(m).push_back(parts[std::size_t(part)]);
         }
       },
       result);

@@ -11,9 +11,11 @@ namespace hada {
 int part_count(const Material& material);
 
 /// Which part of `found` stands for each part of `truth`: the assignment with the smallest sum of
-/// squared log-ratios of their sizes. As it is where the counts differ or there are no parts.
+/// squared log-ratios of their sizes. Parts left over explain something else, such as the noise of
+/// the measurement. Empty if there are too few or none.
 std::vector<int> part_order(const Material& found, const Material& truth);
 
+/// The parts that `order` names, in that order.
 Material reordered(const Material& material, const std::vector<int>& order);
 
 /// All values in the order of the field table.

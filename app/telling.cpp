@@ -53,6 +53,8 @@ std::string size_text(const Extent& extent) {
 std::string with_sigma(double value, double sigma) {
   if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.4g}", value);
   // Two digits of the sigma, and the value as far as they reach.
+  const double size = std::max(std::abs(value), sigma);
+  if (size < 1e-4) return fmt::format("{:.3g} \u00b1 {:.2g}", value, sigma);
   const int digits = std::clamp(1 - int(std::floor(std::log10(sigma))), 0, 12);
   return fmt::format("{:.{}f} \u00b1 {:.{}f}", value, digits, sigma, digits);
 }

@@ -26,8 +26,12 @@ SeedAccuracy one_seed(Recipe recipe, Seed seed) {
   const Reconstruction made = reconstruct(lit.stack);
   const Comparison comparison = compare(made.surface, capture.truth);
   const MaterialFile fitted =
-      fit_material(std::string(name_of(recipe.material)), made.surface, recipe.name,
-                   {.components = part_count(recipe.material)});
+      fit_material(std::string(name_of(recipe.material)), made.surface, recipe.name);
+  if (part_count(fitted.material) < part_count(recipe.material)) {
+    throw Error("the fit found " + std::to_string(part_count(fitted.material)) + " of " +
+                std::to_string(part_count(recipe.material)) +
+                " components; a larger sheet or less noise would show them");
+  }
 
   SeedAccuracy accuracy;
   accuracy.seed = seed;

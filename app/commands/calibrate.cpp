@@ -19,9 +19,9 @@ void calibrate_command(const CalibrateArguments& arguments, const Terminal& term
   write_text(arguments.out, text);
   for (const auto& reading : calibration.readings) {
     const Sphere& sphere = reading.sphere;
-    terminal.say(fmt::format("{} sphere at ({:.2f}, {:.2f}) px, radius {:.2f} \u00b1 {:.2f} px",
-                             name_of(sphere.kind), sphere.center_px.x(), sphere.center_px.y(),
-                             sphere.radius_px, sphere.sigma_px));
+    terminal.say(fmt::format("{} sphere at ({:.2f}, {:.2f}) px, radius {} px", name_of(sphere.kind),
+                             sphere.center_px.x(), sphere.center_px.y(),
+                             with_sigma(sphere.radius_px, sphere.sigma_px)));
   }
   terminal.say(told(calibration));
   for (const auto& remark : calibration.remarks) terminal.say("note: " + remark);

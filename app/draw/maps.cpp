@@ -97,7 +97,10 @@ Image normal_picture(const Surface& surface) {
 
 Image albedo_picture(const Surface& surface) {
   const Image& albedo = surface.albedo;
-  const double white = std::max(1e-9, range_of(luminance(albedo), surface.mask, 0.005).high);
+  // A sheet of one tone is drawn as light grey, not as a part of the page.
+  constexpr double headroom = 1.25;
+  const double white =
+      headroom * std::max(1e-9, range_of(luminance(albedo), surface.mask, 0.005).high);
   return painted(surface.mask, [&](int row, int col) {
     Colour colour;
     for (std::size_t c = 0; c < 3; ++c) {

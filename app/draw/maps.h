@@ -31,7 +31,7 @@ Image relief_picture(const Surface& surface, const ReliefStyle& style);
 /// Normals as colours: (n + 1) / 2, y up.
 Image normal_picture(const Surface& surface);
 
-/// The albedo as an eye sees it, its 99.5 % point white.
+/// The albedo as an eye sees it, its 99.5 % point four fifths of white.
 Image albedo_picture(const Surface& surface);
 
 /// One quantity in the sequential palette.

@@ -70,6 +70,9 @@ std::string pictures_section(const WholePath& path) {
       text += " " + sphere_sentence(reading);
     }
   }
+  if (!path.lit.lights.spheres.empty()) {
+    text += " Circles show the spheres as they were found, crosses where each light is seen.";
+  }
   html += paragraph(escaped(text)) + "<div class=\"strip\">\n";
   for (std::size_t k = 0; k < shown; ++k) {
     const Image small = thumbnail(photographs.images[k], photographs.linear, 300);

@@ -19,8 +19,10 @@ std::string captioned(const std::string& svg, const std::string& caption) {
 
 std::string picture_at(const Image& picture, double x, double y, double w, double h) {
   return fmt::format(
-      "<image x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-      "preserveAspectRatio=\"none\" href=\"{}\"/>\n",
+      "<image x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
+      "preserveAspectRatio=\"none\" href=\"{4}\"/>"
+      "<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" fill=\"none\" "
+      "stroke=\"var(--line)\"/>\n",
       x, y, w, h, data_address(picture));
 }
 
@@ -56,7 +58,7 @@ std::string colour_bar(const ColourBar& bar, double y) {
         css(sequential((i + 0.5) / steps)));
   }
   const Axis axis{"", false, bar.range.low, bar.range.high};
-  for (const double tick : ticks(axis)) {
+  for (const double tick : ticks(axis, 4)) {
     const double x = from + (tick - axis.low) / (axis.high - axis.low) * (to - from);
     svg += fmt::format(
         "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\" "

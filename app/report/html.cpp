@@ -16,7 +16,8 @@ constexpr std::string_view style = R"(
   --ground: #15181d; --data: #74b0f0; --model: #f0955a; --third: #6fcf9f; } }
 @media print { :root { color-scheme: light; --ink: #000; --soft: #444; --line: #bbb; --ground: #fff;
   --data: #1f5fa8; --model: #c4540a; --third: #2b8a5b; }
-  figure, table, .row { break-inside: avoid; } h2 { break-after: avoid; } }
+  figure, table, table { width: auto; } .row > table { align-self: start; }
+.row { break-inside: avoid; } h2 { break-after: avoid; } }
 body { background: var(--ground); color: var(--ink); margin: 0 auto; padding: 2rem 1.2rem 4rem;
   max-width: 60rem; font: 16px/1.55 system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 .4rem; }
@@ -30,14 +31,16 @@ figcaption { color: var(--soft); font-size: .87rem; line-height: 1.4; margin-top
 figure svg, figure img { display: block; width: 100%; height: auto; }
 svg { font: 12px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; }
 svg text { fill: currentColor; }
-.row { display: grid; gap: 0 1.4rem; grid-template-columns: repeat(auto-fit, minmax(17rem, 1fr)); }
+table { width: auto; } .row > table { align-self: start; }
+.row { display: grid; gap: 0 1.4rem; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); }
 .strip { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); }
 .strip figure { margin: 0; }
 table { border-collapse: collapse; margin: .8rem 0; font-variant-numeric: tabular-nums; }
 th, td { padding: .22rem .9rem .22rem 0; text-align: right; border-bottom: 1px solid var(--line); }
+td { white-space: nowrap; }
 th { font-weight: 600; color: var(--soft); font-size: .87rem; }
 th:first-child, td:first-child { text-align: left; }
-td:last-child { text-align: left; color: var(--soft); }
+th:last-child, td:last-child { text-align: left; white-space: normal; color: var(--soft); }
 footer { margin-top: 3rem; color: var(--soft); font-size: .85rem; }
 )";
 

@@ -72,6 +72,9 @@ std::map<std::string, double> by_path(const std::optional<Material>& material) {
 std::string in_the_unit(std::string unit, const MaterialFile& file) {
   const auto at = unit.find("mm");
   if (file.unit == Unit::px && at != std::string::npos) unit.replace(at, 2, "px");
+  if (const auto power = unit.find("^4"); power != std::string::npos) {
+    unit.replace(power, 2, "\u2074");
+  }
   return unit;
 }
 
@@ -141,12 +144,12 @@ std::string truth_section(const WholePath& path) {
   if (!path.truth) return "";
   const TruthCheck& truth = *path.truth;
   const auto order = part_order(path.material.material, truth.material);
-  const bool is_matched = part_count(path.material.material) == part_count(truth.material);
+  const int extra = part_count(path.material.material) - part_count(truth.material);
   std::string html =
       "<h2>Against the truth</h2>\n" +
       paragraph("This capture was made by a virtual camera, so the truth is known. " +
                 escaped(told(truth)) + ".");
-  if (!is_matched) {
+  if (extra < 0) {
     return html +
            paragraph(fmt::format("The fit found {} components, the truth has {}.",
                                  part_count(path.material.material), part_count(truth.material)));
@@ -159,6 +162,10 @@ std::string truth_section(const WholePath& path) {
     const auto s = sigma.find(name);
     rows.push_back({{escaped(name), fmt::format("{:.4g}", value),
                      with_sigma(found.at(name), s == sigma.end() ? 0.0 : s->second), ""}});
+  }
+  if (extra > 0) {
+    html += paragraph(fmt::format("{} further component{} explain{} what the measurement adds.",
+                                  extra, extra == 1 ? "" : "s", extra == 1 ? "s" : ""));
   }
   return html + table({"parameter", "truth", "found \u00b1 sigma", ""}, rows);
 }

@@ -126,7 +126,7 @@ Axis axis_over(const std::string& label, bool log, const std::vector<double>& va
   return {label, false, low - air, high + air};
 }
 
-std::vector<double> ticks(const Axis& axis) {
+std::vector<double> ticks(const Axis& axis, int wanted) {
   std::vector<double> found;
   const auto keep = [&](double tick) {
     if (is_on(axis, tick)) found.push_back(tick);
@@ -144,7 +144,7 @@ std::vector<double> ticks(const Axis& axis) {
     }
     return found;
   }
-  const double rough = (axis.high - axis.low) / 5.0;
+  const double rough = (axis.high - axis.low) / wanted;
   const double decade = std::pow(10.0, std::floor(std::log10(rough)));
   const double multiple = rough / decade;
   const double step = decade * (multiple < 1.5 ? 1.0 : multiple < 3.5 ? 2.0 : 5.0);
@@ -155,7 +155,7 @@ std::vector<double> ticks(const Axis& axis) {
 std::string tick_text(double value) {
   if (std::abs(value) < 1e-12) return "0";
   const double size = std::abs(value);
-  if (size >= 1e-3 && size < 1e5) return fmt::format("{:.4g}", value);
+  if (size >= 1e-4 && size < 1e5) return fmt::format("{:.4g}", value);
   const int decade = int(std::floor(std::log10(size) + 1e-9));
   const double front = value / std::pow(10.0, decade);
   const std::string ten = fmt::format("10<tspan dy=\"-5\" font-size=\"9\">{}</tspan>", decade);

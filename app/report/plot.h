@@ -27,8 +27,8 @@ struct Series {
 /// The axis over all positive (log) or all (linear) values of `values`, with a little air.
 Axis axis_over(const std::string& label, bool log, const std::vector<double>& values);
 
-/// Round numbers to label between low and high, about five (linear) or the decades (log).
-std::vector<double> ticks(const Axis& axis);
+/// Round numbers to label between low and high, about `wanted` (linear) or the decades (log).
+std::vector<double> ticks(const Axis& axis, int wanted = 5);
 
 /// A number as a person would write it on an axis.
 std::string tick_text(double value);

@@ -1,0 +1,57 @@
+#include "app/material_file.h"
+
+#include <gtest/gtest.h>
+
+#include "app/part_order.h"
+#include "core/error.h"
+#include "program.h"
+
+namespace hada {
+namespace {
+
+MaterialFile fitted() {
+  MaterialFile file;
+  file.material = Wrinkle<>{.components = {{0.2, 5.0, 2.0, 0.7}, {0.1, 3.0, 1.0, 2.9}}};
+  file.sigma = Wrinkle<>{.components = {{0.01, 0.2, 0.1, 0.02}, {0.0, 0.0, 0.0, 0.0}}};
+  file.goodness_p = 0.4;
+  file.starts = 8;
+  file.agreeing = 5;
+  file.seed = 11;
+  file.remarks = {"A remark."};
+  file.input = MaterialFile::Input{"sheet", "00ff", {48, 64, 0.2, Unit::mm}};
+  return file;
+}
+
+TEST(MaterialFile, ReadsWhatItWrote) {
+  const Scratch scratch;
+  put(scratch / "m.json", material_text(fitted()));
+  const MaterialFile read = read_material(scratch / "m.json");
+  EXPECT_EQ(values_of(read.material), values_of(fitted().material));
+  EXPECT_EQ(read.seed, Seed(11));
+  EXPECT_EQ(read.input->extent, (Extent{48, 64, 0.2, Unit::mm}));
+}
+
+TEST(MaterialFile, NeedsNothingButTheMaterial) {
+  const Scratch scratch;
+  put(scratch / "m.json", R"({"hada": "material/1", "material": "wrinkle", "parameters":
+    {"components": [{"amplitude_mm": 0.1, "long_mm": 3, "short_mm": 1, "angle_rad": 0.5}],
+     "floor_mm4": 0}})");
+  EXPECT_EQ(name_of(read_material(scratch / "m.json").material), "wrinkle");
+}
+
+TEST(MaterialFile, NamesAnUnknownMaterialAndWhatThereIs) {
+  EXPECT_THROW(material_named("straw"), Error);
+  EXPECT_EQ(material_names(), "wrinkle");
+}
+
+TEST(MaterialFile, HashChangesWithEveryValue) {
+  Grid<float> values(2, 2, 0.0f);
+  const std::string before = hash_of(values);
+  values(1, 1) = 1e-30f;
+  EXPECT_NE(hash_of(values), before);
+  // FNV-1a of nothing is its offset basis.
+  EXPECT_EQ(hash_of(Grid<float>()), "cbf29ce484222325");
+}
+
+}  // namespace
+}  // namespace hada
