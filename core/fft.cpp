@@ -2,8 +2,6 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/parallel.h"
-
 namespace hada {
 namespace {
 
@@ -20,7 +18,6 @@ using complex_scalar = cv::Vec<T, 2>;
 
 template <class T>
 Grid<std::complex<T>> fft(const Grid<T>& real) {
-  cv::setNumThreads(threads());
   const int rows = real.rows();
   const int half_cols = real.cols() / 2 + 1;
   cv::Mat full;
@@ -36,7 +33,6 @@ Grid<std::complex<T>> fft(const Grid<T>& real) {
 template <class T>
 Grid<T> inverse_fft(const Grid<std::complex<T>>& half, int cols) {
   assert(half.cols() == cols / 2 + 1);
-  cv::setNumThreads(threads());
   const int rows = half.rows();
   // OpenCV's packed layout (CCS) of the transform of a real matrix: real and imaginary parts of the
   // columns 1 .. side by side, the self-conjugate first (and, for even cols, last) column folded.
