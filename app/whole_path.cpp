@@ -35,23 +35,20 @@ TruthCheck check_truth(const WholePath& path, const std::filesystem::path& folde
           read_material(folder / "material.json").material};
 }
 
-void write_whole_path(const WholePath& path, const std::filesystem::path& folder) {
-  Output output(folder);
-  Output surface(folder / "surface");
-  Output synth(folder / "synth");
+void write_whole_path(const WholePath& path, WholePathOutput& output) {
   const std::string lights = lights_text(path.lit.lights);
-  put_text(output, "lights.json", lights);
-  write_surface(surface, path.reconstruction.surface, surface_notes(path.reconstruction));
-  put_text(surface, "lights.json", lights);
-  put_previews(surface, path.reconstruction.surface);
-  put_text(output, "measure.json", measurement_text(path.measurement));
-  put_text(output, "material.json", material_text(path.material));
-  write_surface(synth, path.synthesized);
-  put_previews(synth, path.synthesized);
-  put_text(output, "report.html", report_html(path));
-  surface.commit();
-  synth.commit();
-  output.commit();
+  put_text(output.all, "lights.json", lights);
+  write_surface(output.surface, path.reconstruction.surface, surface_notes(path.reconstruction));
+  put_text(output.surface, "lights.json", lights);
+  put_previews(output.surface, path.reconstruction.surface);
+  put_text(output.all, "measure.json", measurement_text(path.measurement));
+  put_text(output.all, "material.json", material_text(path.material));
+  write_surface(output.synth, path.synthesized);
+  put_previews(output.synth, path.synthesized);
+  put_text(output.all, "report.html", report_html(path));
+  output.surface.commit();
+  output.synth.commit();
+  output.all.commit();
 }
 
 void tell(const WholePath& path, const std::filesystem::path& folder, const Terminal& terminal) {

@@ -9,6 +9,7 @@
 #include "app/lit_capture.h"
 #include "app/material_file.h"
 #include "app/measurement.h"
+#include "io/output.h"
 #include "reconstruct/reconstruct.h"
 
 namespace hada {
@@ -44,8 +45,19 @@ WholePath whole_path(LitCapture lit, const std::string& name, const WholePathOpt
 /// How close the path came to the truth that a virtual camera left in `folder`.
 TruthCheck check_truth(const WholePath& path, const std::filesystem::path& folder);
 
+/// Where the whole path is written. Made before the work begins: who may not write hears it at
+/// once.
+struct WholePathOutput {
+  Output all;
+  Output surface;
+  Output synth;
+
+  explicit WholePathOutput(const std::filesystem::path& folder)
+      : all(folder), surface(folder / "surface"), synth(folder / "synth") {}
+};
+
 /// Writes lights.json, surface/, measure.json, material.json, synth/ and report.html.
-void write_whole_path(const WholePath& path, const std::filesystem::path& folder);
+void write_whole_path(const WholePath& path, WholePathOutput& output);
 
 /// The few lines that a person reads first.
 void tell(const WholePath& path, const std::filesystem::path& folder, const Terminal& terminal);

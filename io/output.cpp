@@ -168,10 +168,14 @@ void clean_up_on_interrupt() {
     int signal = 0;
     sigwait(&interrupts, &signal);
     traces().mutex.lock();  // and never let go: nobody may begin a commit now
+    std::vector<fs::path> folders;
     for (const auto& [scratch, made] : traces().made_folders) {
       remove_scratch(scratch);
-      remove_folders_made(made);
+      folders.insert(folders.end(), made.begin(), made.end());
     }
+    // One output may lie inside the folder that another made: a folder follows those around it.
+    std::sort(folders.begin(), folders.end());
+    remove_folders_made(folders);
     constexpr int interrupted = 130;
     _exit(interrupted);
   }).detach();

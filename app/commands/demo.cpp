@@ -10,6 +10,7 @@ void demo_command(const DemoArguments& arguments, const Terminal& terminal) {
   const auto recipe_path = arguments.recipe.value_or(std::filesystem::path());
   const Recipe recipe =
       read_recipe(recipe_path.empty() ? shipped_recipe("sheet_and_spheres.json") : recipe_path);
+  WholePathOutput output(arguments.out);
   const auto folder = arguments.out / "capture";
   terminal.step("photographing " + recipe.name);
   write_capture(folder, virtual_capture(recipe), recipe);
@@ -19,7 +20,7 @@ void demo_command(const DemoArguments& arguments, const Terminal& terminal) {
   WholePath path = whole_path(std::move(lit), recipe.name, {}, terminal);
   path.truth = check_truth(path, folder / "truth");
   terminal.step("writing the report");
-  write_whole_path(path, arguments.out);
+  write_whole_path(path, output);
   tell(path, arguments.out, terminal);
   terminal.result(whole_path_text(path, arguments.out));
 }

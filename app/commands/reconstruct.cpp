@@ -21,13 +21,13 @@ Levelling levelling_named(const std::string& name) {
 }  // namespace
 
 void reconstruct_command(const ReconstructArguments& arguments, const Terminal& terminal) {
+  Output output(arguments.out);
   Photographs photographs = load_folder(arguments.capture, terminal, arguments.pitch_mm);
   const LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
   terminal.step("reconstructing normals and height");
   const Reconstruction result =
       reconstruct(lit.stack, {.levelling = levelling_named(arguments.levelling)});
 
-  Output output(arguments.out);
   const std::string notes = surface_notes(result);
   write_surface(output, result.surface, notes);
   put_text(output, "lights.json", lights_text(lit.lights));

@@ -11,12 +11,13 @@ std::string last_name(const std::filesystem::path& path) {
 
 void run_command(const RunArguments& arguments, const Terminal& terminal) {
   material_named(arguments.path.material);  // an unknown name is said before anything is read
+  WholePathOutput output(arguments.out);
   Photographs photographs = load_folder(arguments.capture, terminal, arguments.pitch_mm);
   LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
   const WholePath path =
       whole_path(std::move(lit), last_name(arguments.capture), arguments.path, terminal);
   terminal.step("writing the report");
-  write_whole_path(path, arguments.out);
+  write_whole_path(path, output);
   tell(path, arguments.out, terminal);
   terminal.result(whole_path_text(path, arguments.out));
 }
