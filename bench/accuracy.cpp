@@ -1,0 +1,220 @@
+#include "bench/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <numbers>
+#include <vector>
+
+#include "app/overlap.h"
+#include "app/recipe.h"
+#include "app/virtual_capture.h"
+#include "capture/calibrate.h"
+#include "capture/light_stack.h"
+#include "io/image_file.h"
+#include "io/json.h"
+#include "reconstruct/reconstruct.h"
+
+namespace hada {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double degree = std::numbers::pi / 180.0;
+
+double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)) / degree;
+}
+
+// The twelve numbered pictures of one object of the uw set, with its mask.
+CaptureFile uw_capture(const fs::path& data, const std::string& object) {
+  return read_capture_file(data / "photos" / "uw" / object);
+}
+
+std::vector<Sphere> spheres_of(const Calibration& calibration) {
+  std::vector<Sphere> spheres;
+  for (const auto& reading : calibration.readings) spheres.push_back(reading.sphere);
+  return spheres;
+}
+
+Reconstruction reconstructed(Photographs photographs, const Calibration& calibration) {
+  photographs.linear = calibration.linear;
+  photographs.encoding_known = true;
+  return reconstruct(
+      light_stack(std::move(photographs), calibration.lights, spheres_of(calibration)));
+}
+
+Eigen::Vector3d next_vector(std::istream& in) {
+  Eigen::Vector3d vector;
+  in >> vector.x() >> vector.y() >> vector.z();
+  return vector;
+}
+
+double mean_angle_deg(const std::vector<Light>& found, const Json& truth) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Eigen::Vector3d direction(truth[k][0], truth[k][1], truth[k][2]);
+    sum += angle_deg(found[k].direction, direction) / double(found.size());
+  }
+  return sum;
+}
+
+// What a tool may read of a rendered scene, without the boxes.
+CaptureFile rendered_capture(const fs::path& scene, const Json& inputs) {
+  CaptureFile file;
+  file.folder = scene;
+  for (const auto& image : inputs["images"]) {
+    const std::string name = image;
+    file.pictures.push_back({scene / name, name, {}, {}});
+  }
+  file.encoding = inputs["encoding"];
+  file.pitch_mm = inputs["pixel_mm"].get<double>();
+  if (inputs.contains("ambient")) file.ambient = scene / inputs["ambient"].get<std::string>();
+  if (inputs.contains("camera_distance_mm")) {
+    file.camera =
+        CaptureFile::CameraHint{true, std::nullopt, inputs["camera_distance_mm"].get<double>()};
+  }
+  return file;
+}
+
+Surface rendered_truth(const fs::path& scene, double pitch_mm) {
+  Surface truth;
+  const Image normals = read_image(scene / "truth" / "normals.exr").image;
+  truth.height = luminance(read_image(scene / "truth" / "height_mm.exr").image);
+  truth.extent = {truth.height.rows(), truth.height.cols(), pitch_mm, Unit::mm};
+  truth.mask = Mask(truth.extent.rows, truth.extent.cols);
+  truth.normals = NormalMap(truth.extent.rows, truth.extent.cols, Eigen::Vector3f::UnitZ());
+  for (std::size_t i = 0; i < truth.mask.size(); ++i) {
+    const Eigen::Vector3f normal(normals.planes[0][i], normals.planes[1][i], normals.planes[2][i]);
+    truth.mask[i] = std::isfinite(truth.height[i]) && normal.allFinite();
+    if (truth.mask[i]) truth.normals[i] = normal.normalized();
+  }
+  return truth;
+}
+
+void count_spheres(RenderedScore& score, const Json& truth, const Calibration& calibration) {
+  score.spheres_true = int(truth["spheres"].size());
+  for (const Sphere& sphere : spheres_of(calibration)) {
+    const bool right =
+        std::any_of(truth["spheres"].begin(), truth["spheres"].end(), [&](const Json& t) {
+          const Eigen::Vector2d center(t["cx_px"], t["cy_px"]);
+          const double radius = t["r_px"];
+          return t["kind"] == name_of(sphere.kind) &&
+                 (center - sphere.center_px).norm() < 0.05 * radius &&
+                 std::abs(sphere.radius_px - radius) < 0.05 * radius;
+        });
+    ++(right ? score.spheres_found : score.spheres_false);
+  }
+}
+
+Json json_at(const fs::path& path) {
+  std::ifstream in(path);
+  return Json::parse(in);
+}
+
+}  // namespace
+
+fs::path data_folder() {
+  const char* given = std::getenv("HADA_DATA");
+  return given ? fs::path(given) : fs::path(HADA_SOURCE_DIR) / ".." / "shared" / "data";
+}
+
+SphereAgreement sphere_agreement(const fs::path& data) {
+  const auto gray = calibrate(load_photographs(uw_capture(data, "gray")));
+  const auto chrome = calibrate(load_photographs(uw_capture(data, "chrome")));
+  SphereAgreement agreement;
+  const std::size_t count = gray.lights.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = angle_deg(gray.lights[k].direction, chrome.lights[k].direction);
+    agreement.mean_deg += angle / double(count);
+    agreement.max_deg = std::max(agreement.max_deg, angle);
+  }
+  return agreement;
+}
+
+double diligent_ball_error_deg(const fs::path& data) {
+  const fs::path folder = data / "photos" / "diligent_ball";
+  std::ifstream names(folder / "filenames.txt");
+  std::ifstream directions(folder / "light_directions.txt");
+  std::ifstream strengths(folder / "light_intensities.txt");
+  LightStack stack;
+  for (std::string name; names >> name;) {
+    stack.images.push_back(read_image(folder / name).image);
+    Light light;
+    light.image = name;
+    light.direction = next_vector(directions).normalized();
+    light.strength = next_vector(strengths);
+    stack.lights.push_back(light);
+  }
+  const Image mask = read_image(folder / "mask.png").image;
+  stack.camera.extent = {.rows = mask.rows(), .cols = mask.cols()};
+  stack.mask = Mask(mask.rows(), mask.cols());
+  for (std::size_t i = 0; i < stack.mask.size(); ++i) stack.mask[i] = mask.planes[0][i] > 0.5f;
+  // The baseline of the benchmark is plain least squares over all samples, shadowed ones included.
+  stack.samples.assign(stack.lights.size(), Grid<Sample>(mask.rows(), mask.cols(), Sample::lit));
+  const Orientation found = least_squares_normals(stack);
+  const Image truth = read_image(folder / "normal_gt.tif").image;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < found.mask.size(); ++i) {
+    if (!found.mask[i]) continue;
+    const Eigen::Vector3d normal(truth.planes[0][i], truth.planes[1][i], truth.planes[2][i]);
+    sum += angle_deg(found.normals[i].cast<double>(), normal);
+    ++count;
+  }
+  return sum / count;
+}
+
+RelightingScore relighting(const fs::path& data, const std::string& object) {
+  const auto gray = calibrate(load_photographs(uw_capture(data, "gray")));
+  Photographs photographs = load_photographs(uw_capture(data, object));
+  photographs.linear = gray.linear;
+  photographs.encoding_known = true;
+  const auto asked = std::count(photographs.mask.begin(), photographs.mask.end(), 1);
+  const auto lights = matched_lights(gray.lights, photographs.file);
+  const auto result = reconstruct(light_stack(std::move(photographs), lights, {}));
+  const Mask& mask = result.surface.mask;
+  const auto kept = std::count(mask.begin(), mask.end(), 1);
+  return {result.relighting_error, double(kept) / double(asked)};
+}
+
+RenderedScore rendered(const fs::path& scene) {
+  const Json inputs = json_at(scene / "inputs.json");
+  const Json truth = json_at(scene / "truth" / "truth.json");
+  const Photographs photographs = load_photographs(rendered_capture(scene, inputs));
+  const Calibration calibration = calibrate(photographs);
+  RenderedScore score;
+  count_spheres(score, truth, calibration);
+  const Json& lights = truth["lights"];
+  score.lights_deg = mean_angle_deg(calibration.lights, lights["directions"]);
+  const Surface surface = reconstructed(photographs, calibration).surface;
+  if (const auto over = overlap(surface, rendered_truth(scene, surface.extent.pitch))) {
+    score.normals_deg = over->normal_mean / degree;
+    score.height_share = over->height_rmse / over->height_std;
+  }
+  return score;
+}
+
+LoopScore synthetic_loop(unsigned seed) {
+  Recipe recipe =
+      read_recipe(fs::path(HADA_SOURCE_DIR) / "data_synthetic" / "sheet_and_spheres.json");
+  recipe.sheet_seed = seed;
+  recipe.rig.seed = seed + 1000;
+  const VirtualCapture capture = virtual_capture(recipe);
+  const Photographs photographs = as_loaded(capture, recipe);
+  const Calibration calibration = calibrate(photographs);
+  LoopScore score;
+  for (std::size_t k = 0; k < calibration.lights.size(); ++k) {
+    score.lights_deg +=
+        angle_deg(calibration.lights[k].direction, capture.stack.lights[k].direction) /
+        double(calibration.lights.size());
+  }
+  const Surface surface = reconstructed(photographs, calibration).surface;
+  if (const auto over = overlap(surface, capture.truth)) {
+    score.normals_deg = over->normal_mean / degree;
+    score.height_share = over->height_rmse / over->height_std;
+  }
+  return score;
+}
+
+}  // namespace hada
