@@ -2,6 +2,7 @@
 
 #include "capture/find_spheres.h"
 #include "capture/light_stack.h"
+#include "capture/strengths.h"
 
 namespace hada {
 namespace {
@@ -17,7 +18,7 @@ std::vector<Sphere> spheres_beside(const Photographs& photographs, const Termina
   return find_spheres(photographs).spheres;
 }
 
-void settle_encoding(Photographs& photographs, bool linear) {
+void believe(Photographs& photographs, bool linear) {
   photographs.linear = linear;
   photographs.encoding_known = true;
 }
@@ -33,7 +34,8 @@ Photographs load_folder(const std::filesystem::path& folder, const Terminal& ter
 }
 
 LightsFile lights_file(const Calibration& calibration) {
-  LightsFile file{calibration.lights, {}, calibration.linear ? "linear" : "srgb"};
+  LightsFile file{calibration.lights, {}, ""};
+  if (calibration.encoding_known) file.encoding = calibration.linear ? "linear" : "srgb";
   for (const auto& reading : calibration.readings) file.spheres.push_back(reading.sphere);
   return file;
 }
@@ -48,7 +50,7 @@ LitCapture lit_capture(Photographs photographs,
     lit.lights.spheres = spheres_beside(photographs, terminal);
     lit.source = lights_path->filename().string();
     if (!photographs.encoding_known && !lit.lights.encoding.empty()) {
-      settle_encoding(photographs, lit.lights.encoding == "linear");
+      believe(photographs, lit.lights.encoding == "linear");
     }
   } else if (auto given = lights_in(photographs.file); !given.empty()) {
     lit.lights.lights = std::move(given);
@@ -59,12 +61,14 @@ LitCapture lit_capture(Photographs photographs,
     lit.calibration = calibrate(photographs);
     lit.lights = lights_file(*lit.calibration);
     lit.source = "the spheres in the pictures";
-    settle_encoding(photographs, lit.calibration->linear);
+    if (lit.calibration->encoding_known) believe(photographs, lit.calibration->linear);
     add(lit.remarks, lit.calibration->remarks);
   }
+  settle_encoding(photographs, lit.lights.lights);
   lit.lights.encoding = photographs.linear ? "linear" : "srgb";
   terminal.step("finding the sample");
   lit.stack = light_stack(photographs, lit.lights.lights, lit.lights.spheres);
+  if (lit.calibration && !lit.calibration->strengths_measured) balance_strengths(lit.stack);
   lit.lights.lights = lit.stack.lights;
   add(lit.remarks, photographs.remarks);
   lit.photographs = std::move(photographs);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/lit_capture.h"
 #include "app/overlap.h"
 #include "app/recipe.h"
 #include "app/virtual_capture.h"
@@ -31,17 +32,8 @@ CaptureFile uw_capture(const fs::path& data, const std::string& object) {
   return read_capture_file(data / "photos" / "uw" / object);
 }
 
-std::vector<Sphere> spheres_of(const Calibration& calibration) {
-  std::vector<Sphere> spheres;
-  for (const auto& reading : calibration.readings) spheres.push_back(reading.sphere);
-  return spheres;
-}
-
-Reconstruction reconstructed(Photographs photographs, const Calibration& calibration) {
-  photographs.linear = calibration.linear;
-  photographs.encoding_known = true;
-  return reconstruct(
-      light_stack(std::move(photographs), calibration.lights, spheres_of(calibration)));
+LitCapture lit(Photographs photographs) {
+  return lit_capture(std::move(photographs), {}, Terminal({.quiet = true}));
 }
 
 Eigen::Vector3d next_vector(std::istream& in) {
@@ -94,7 +86,8 @@ Surface rendered_truth(const fs::path& scene, double pitch_mm) {
 
 void count_spheres(RenderedScore& score, const Json& truth, const Calibration& calibration) {
   score.spheres_true = int(truth["spheres"].size());
-  for (const Sphere& sphere : spheres_of(calibration)) {
+  for (const auto& reading : calibration.readings) {
+    const Sphere& sphere = reading.sphere;
     const bool right =
         std::any_of(truth["spheres"].begin(), truth["spheres"].end(), [&](const Json& t) {
           const Eigen::Vector2d center(t["cx_px"], t["cy_px"]);
@@ -181,13 +174,13 @@ RelightingScore relighting(const fs::path& data, const std::string& object) {
 RenderedScore rendered(const fs::path& scene) {
   const Json inputs = json_at(scene / "inputs.json");
   const Json truth = json_at(scene / "truth" / "truth.json");
-  const Photographs photographs = load_photographs(rendered_capture(scene, inputs));
-  const Calibration calibration = calibrate(photographs);
+  const LitCapture capture = lit(load_photographs(rendered_capture(scene, inputs)));
+  const Calibration& calibration = *capture.calibration;
   RenderedScore score;
   count_spheres(score, truth, calibration);
   const Json& lights = truth["lights"];
   score.lights_deg = mean_angle_deg(calibration.lights, lights["directions"]);
-  const Surface surface = reconstructed(photographs, calibration).surface;
+  const Surface surface = reconstruct(capture.stack).surface;
   if (const auto over = overlap(surface, rendered_truth(scene, surface.extent.pitch))) {
     score.normals_deg = over->normal_mean / degree;
     score.height_share = over->height_rmse / over->height_std;
@@ -201,15 +194,14 @@ LoopScore synthetic_loop(unsigned seed) {
   recipe.sheet_seed = seed;
   recipe.rig.seed = seed + 1000;
   const VirtualCapture capture = virtual_capture(recipe);
-  const Photographs photographs = as_loaded(capture, recipe);
-  const Calibration calibration = calibrate(photographs);
+  const LitCapture found = lit(as_loaded(capture, recipe));
   LoopScore score;
-  for (std::size_t k = 0; k < calibration.lights.size(); ++k) {
+  for (std::size_t k = 0; k < found.lights.lights.size(); ++k) {
     score.lights_deg +=
-        angle_deg(calibration.lights[k].direction, capture.stack.lights[k].direction) /
-        double(calibration.lights.size());
+        angle_deg(found.lights.lights[k].direction, capture.stack.lights[k].direction) /
+        double(found.lights.lights.size());
   }
-  const Surface surface = reconstructed(photographs, calibration).surface;
+  const Surface surface = reconstruct(found.stack).surface;
   if (const auto over = overlap(surface, capture.truth)) {
     score.normals_deg = over->normal_mean / degree;
     score.height_share = over->height_rmse / over->height_std;

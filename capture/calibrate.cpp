@@ -48,14 +48,7 @@ void decide_encoding(Photographs& photographs, const std::vector<Sphere>& sphere
                      std::vector<std::string>& remarks) {
   const bool has_matte = std::any_of(spheres.begin(), spheres.end(),
                                      [](const Sphere& s) { return s.kind == SphereKind::matte; });
-  if (!has_matte) {
-    if (!photographs.encoding_known) {
-      remarks.push_back(
-          "No matte sphere tells how the 8-bit pictures are encoded; sRGB is assumed (say "
-          "\"encoding\" in capture.json if it is not).");
-    }
-    return;
-  }
+  if (!has_matte) return;
   const double linear = matte_misfit(photographs, spheres, true);
   const double srgb = matte_misfit(photographs, spheres, false);
   const bool looks_linear = linear <= srgb;
@@ -76,8 +69,7 @@ void decide_encoding(Photographs& photographs, const std::vector<Sphere>& sphere
   }
 }
 
-// One light out of what every sphere says of it, weighted by sigma; strengths of matte spheres
-// count before those of chrome ones, which clip.
+// The direction of one light out of what every sphere says of it, weighted by sigma.
 Light combined(const std::vector<SphereReading>& readings, std::size_t k) {
   Light light = readings.front().lights[k];
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -94,27 +86,22 @@ Light combined(const std::vector<SphereReading>& readings, std::size_t k) {
   return light;
 }
 
-// Scales the strengths that one reading gives to a mean of 1 per channel over all lights.
-std::vector<Eigen::Vector3d> relative_strengths(const SphereReading& reading) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Light& light : reading.lights) mean += light.strength / double(reading.lights.size());
-  std::vector<Eigen::Vector3d> strengths;
-  for (const Light& light : reading.lights) {
-    strengths.push_back(light.strength.cwiseQuotient(mean));
-  }
-  return strengths;
-}
-
-const SphereReading& reading_for_strengths(const std::vector<SphereReading>& readings) {
-  const auto all_seen = [](const SphereReading& reading) {
-    return std::all_of(reading.lights.begin(), reading.lights.end(), is_seen);
-  };
-  for (const SphereKind kind : {SphereKind::matte, SphereKind::chrome}) {
-    for (const SphereReading& reading : readings) {
-      if (reading.sphere.kind == kind && all_seen(reading)) return reading;
+// Strengths as the first matte sphere that sees every light shows them, scaled to a mean of 1 per
+// channel; returns false if there is none.
+bool take_strengths(std::vector<Light>& lights, const std::vector<SphereReading>& readings) {
+  for (const SphereReading& reading : readings) {
+    if (reading.sphere.kind != SphereKind::matte ||
+        !std::all_of(reading.lights.begin(), reading.lights.end(), is_seen)) {
+      continue;
     }
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Light& light : reading.lights) mean += light.strength / double(lights.size());
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      lights[k].strength = reading.lights[k].strength.cwiseQuotient(mean);
+    }
+    return true;
   }
-  return readings.front();
+  return false;
 }
 
 double mean_disagreement(const std::vector<SphereReading>& readings) {
@@ -174,22 +161,23 @@ Calibration calibrate(const Photographs& given) {
   }
   decide_encoding(photographs, found.spheres, calibration.remarks);
   calibration.linear = photographs.linear;
+  calibration.encoding_known = photographs.encoding_known;
   const Photographs linear = linearized(std::move(photographs));
   for (const Sphere& sphere : found.spheres) {
     calibration.readings.push_back(sphere.kind == SphereKind::matte
                                        ? read_matte_sphere(linear, sharpened_matte(linear, sphere))
                                        : read_chrome_sphere(linear, sphere));
   }
-  const auto strengths = relative_strengths(reading_for_strengths(calibration.readings));
   for (std::size_t k = 0; k < linear.images.size(); ++k) {
     Light light = combined(calibration.readings, k);
     if (!is_seen(light)) {
       throw Error(linear.file.pictures[k].file.string() +
                   ": its light is seen on no sphere; leave the picture out or light the sphere");
     }
-    light.strength = strengths[k];
+    light.strength.setOnes();
     calibration.lights.push_back(light);
   }
+  calibration.strengths_measured = take_strengths(calibration.lights, calibration.readings);
   calibration.disagreement = mean_disagreement(calibration.readings);
   remark_on(calibration, calibration.remarks);
   return calibration;

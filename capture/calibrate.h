@@ -22,7 +22,9 @@ struct Calibration {
   std::vector<Light> lights;            // one for each picture
   std::vector<SphereReading> readings;  // one for each sphere
   double disagreement = 0.0;            // mean angle between the spheres' directions, radians
-  bool linear = true;                   // how the pictures are encoded
+  bool linear = true;                   // how the pictures were read
+  bool encoding_known = true;           // false: `linear` is an assumption; see settle_encoding
+  bool strengths_measured = true;       // false: all 1; see balance_strengths
   std::vector<std::string> remarks;     // plain sentences
 };
 

@@ -116,7 +116,6 @@ std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturate
   if (!(total > 0.0)) return std::nullopt;
   found.direction = sum.normalized();
   found.center_px = middle / total;
-  found.flux = total;
   double squares = 0.0;
   for (const auto& [direction, weight] : seen) {
     squares += weight * (direction - found.direction).squaredNorm();
@@ -135,9 +134,6 @@ SphereReading read_chrome_sphere(const Photographs& linear, const Sphere& sphere
     highlights[i] =
         highlight(luminance(linear.images[i]), linear.saturated[i], linear.camera, sphere);
   });
-  // Strength is flux where no highlight is clipped; a clipped one says nothing of it.
-  const bool measured = std::none_of(highlights.begin(), highlights.end(),
-                                     [](const auto& h) { return !h || h->clipped; });
   for (std::size_t k = 0; k < count; ++k) {
     Light light;
     light.image = linear.file.pictures[k].name;
@@ -146,7 +142,6 @@ SphereReading read_chrome_sphere(const Photographs& linear, const Sphere& sphere
     const auto& h = highlights[k];
     if (h && h->prominence > faint && h->direction.z() > 0.0) {
       light.direction = h->direction;
-      if (measured) light.strength.setConstant(h->flux);
       // Half a turn of the normal is a whole turn of the mirrored ray: twice the angle that an
       // error of the circle means, and the middle of the spot to a tenth of its own width.
       // A clipped spot shows only which pixels it touches.

@@ -13,9 +13,8 @@ namespace hada {
 struct Highlight {
   Eigen::Vector2d center_px{0.0, 0.0};                   // area-weighted middle
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  // of the light
-  double flux = 0.0;        // brightness times solid angle: proportional to the light's strength
   double width = 0.0;       // root mean square angle of the light about its middle, radians
-  bool clipped = false;     // the flux is a lower bound
+  bool clipped = false;     // holds a saturated pixel
   double peak = 0.0;        // largest value in it
   double prominence = 0.0;  // peak over the brightness of the rest of the inner disc
 };
@@ -28,7 +27,8 @@ struct Highlight {
 std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturated,
                                    const Camera& camera, const Sphere& sphere);
 
-/// Every light as a chrome sphere shows it.
+/// Every light as a chrome sphere shows it. The strengths are all 1: a highlight clips, or is
+/// smaller than a pixel, and says nothing of them.
 SphereReading read_chrome_sphere(const Photographs& linear, const Sphere& sphere);
 
 }  // namespace hada

@@ -181,7 +181,11 @@ SphereReading read_matte_sphere(const Photographs& linear, const Sphere& sphere)
     if (!(shading.b.norm() > 0.0) || shading.b.z() <= 0.0 || shading.misfit > hopeless) return;
     light.direction = shading.b.normalized();
     const double circle = sphere.sigma_px / sphere.radius_px;
-    light.direction_sigma = std::sqrt(jackknife_variance(shading, points) + circle * circle);
+    // A shading error that grows evenly across the disc tilts the light by half of the contrast it
+    // leaves unexplained; how much of the misfit is of that kind nobody knows: half of the worst.
+    const double not_lambertian = 0.25 * shading.misfit;
+    light.direction_sigma = std::sqrt(jackknife_variance(shading, points) + circle * circle +
+                                      not_lambertian * not_lambertian);
     for (int c = 0; c < 3; ++c) {
       const auto& plane = image.planes[std::size_t(std::min(c, image.channels() - 1))];
       light.strength[c] =

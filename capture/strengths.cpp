@@ -1,0 +1,76 @@
+#include "capture/strengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace hada {
+namespace {
+
+// Grey values of pixels that every light reaches, a row each, at most about 20 000 of them.
+Eigen::MatrixXd lit_values(const LightStack& stack) {
+  const std::size_t pixels = stack.mask.size();
+  const std::size_t stride = std::max<std::size_t>(1, pixels / 20000);
+  std::vector<Grid<float>> greys;
+  for (const Image& image : stack.images) greys.push_back(luminance(image));
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < pixels; i += stride) {
+    const bool lit = stack.mask[i] &&
+                     std::all_of(stack.samples.begin(), stack.samples.end(),
+                                 [&](const auto& samples) { return samples[i] == Sample::lit; });
+    if (lit) chosen.push_back(i);
+  }
+  Eigen::MatrixXd values(Eigen::Index(chosen.size()), Eigen::Index(greys.size()));
+  for (std::size_t p = 0; p < chosen.size(); ++p) {
+    for (std::size_t k = 0; k < greys.size(); ++k) {
+      values(Eigen::Index(p), Eigen::Index(k)) =
+          greys[k][chosen[p]] / stack.lights[k].strength.mean();
+    }
+  }
+  return values;
+}
+
+// Weight 1 for the three quarters of the pixels that fit best: prints, sheen and shadows do not.
+Eigen::VectorXd best_fitting(const Eigen::MatrixXd& values, const Eigen::MatrixXd& predicted) {
+  const Eigen::VectorXd misfit =
+      (values - predicted).rowwise().norm().array() / values.rowwise().norm().array().max(1e-12);
+  std::vector<double> sorted(misfit.data(), misfit.data() + misfit.size());
+  const auto limit = sorted.begin() + std::ptrdiff_t(3 * sorted.size() / 4);
+  std::nth_element(sorted.begin(), limit, sorted.end());
+  return (misfit.array() <= *limit).cast<double>();
+}
+
+}  // namespace
+
+void balance_strengths(LightStack& stack) {
+  const auto lights = Eigen::Index(stack.lights.size());
+  const Eigen::MatrixXd values = lit_values(stack);
+  if (lights < 5 || values.rows() < 100) return;
+  Eigen::MatrixX3d directions(lights, 3);
+  for (Eigen::Index k = 0; k < lights; ++k) {
+    directions.row(k) = stack.lights[std::size_t(k)].direction.transpose();
+  }
+  Eigen::VectorXd strength = Eigen::VectorXd::Ones(lights);
+  constexpr int rounds = 50;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::MatrixX3d shaded = strength.asDiagonal() * directions;
+    const Eigen::MatrixXd inverse = shaded.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd scaled_normals = values * inverse.transpose();
+    const Eigen::MatrixXd unit_shading = scaled_normals * directions.transpose();
+    const Eigen::VectorXd weight = best_fitting(values, scaled_normals * shaded.transpose());
+    const Eigen::VectorXd before = strength;
+    for (Eigen::Index k = 0; k < lights; ++k) {
+      const auto shading = unit_shading.col(k).array() * weight.array();
+      strength[k] = (shading * values.col(k).array()).sum() /
+                    std::max((shading * unit_shading.col(k).array()).sum(), 1e-300);
+    }
+    strength *= double(lights) / strength.sum();
+    if ((strength - before).cwiseAbs().maxCoeff() < 1e-6) break;
+  }
+  if (!strength.allFinite() || strength.minCoeff() <= 0.0) return;
+  for (Eigen::Index k = 0; k < lights; ++k) stack.lights[std::size_t(k)].strength *= strength[k];
+}
+
+}  // namespace hada

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/light_stack.h"
+
+namespace hada {
+
+/// Scales the lights of `stack` so that the sample itself agrees on their strengths.
+///
+/// For chrome spheres, whose highlights clip: I_k = s_k rho (l_k . n) is linear in rho n for given
+/// strengths and in the strengths for given rho n; the two are solved in turn from the strengths in
+/// force, over pixels that every light reaches, without those that fit worst. What the sample
+/// cannot tell (a flat sheet leaves three combinations free) stays as it was. Mean over the
+/// lights 1.
+///
+/// Does nothing for fewer than five lights or fewer than 100 such pixels.
+void balance_strengths(LightStack& stack);
+
+}  // namespace hada
