@@ -58,7 +58,7 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
       if (std::hypot(i, col) < options.empty_steps) continue;
       const double fx = spectrum.fx(col);
       const double radius = std::hypot(fx, fy);
-      if (radius >= 0.5 / extent.pitch) continue;
+      if (radius >= options.reach * 0.5 / extent.pitch) continue;
       const double power = spectrum.power(row, col);
       const Sums alone{
           fx, fy, fx * fx, fx * fy, fy * fy, power, leakage.near(row, col), leakage.far(row, col),

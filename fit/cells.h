@@ -19,10 +19,12 @@ struct Cell {
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
+  double correction = 1.0;  // of the model's power, where that window is not exact
 };
 
 struct CellOptions {
   double empty_steps = 0.5;    // frequency steps around 0 that levelling has emptied
+  double reach = 1.0;          // share of the Nyquist frequency at which the cells end
   double inner_bins = 16.0;    // up to this many frequency steps from 0 an ordinate stays alone
   double growth = 0.06;        // size of a cell further out, as a share of its distance from 0
   double most_leakage = 0.15;  // share of a cell's power; a cell with more is left out
@@ -31,7 +33,7 @@ struct CellOptions {
 
 /// The half plane of a spectrum, cut into cells that grow with their distance from frequency 0.
 ///
-/// Left out are the frequencies around 0, those beyond the Nyquist circle, and those that hold
+/// Left out are the frequencies around 0, those beyond the reach, and those that hold
 /// little but leakage or rounding. The mean of S over a cell is, to third order in its size, the
 /// transform of an autocovariance narrowed by twice pi^2 times the scatter of its frequencies: that
 /// is where `xx`, `xy` and `yy` come from.

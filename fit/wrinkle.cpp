@@ -5,10 +5,11 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "core/scalar.h"
 #include "fit/cells.h"
 #include "fit/goodness.h"
+#include "fit/sampling.h"
 #include "fit/solve.h"
+#include "fit/whittle.h"
 #include "fit/wrinkle_starts.h"
 
 namespace hada {
@@ -16,13 +17,16 @@ namespace {
 
 constexpr int fewest_pixels = 32;  // along each side: fewer hold too few ordinates to tell shapes
 constexpr double least_goodness = 1e-3;  // p below which a person is told
-constexpr double cauchy_scale = 3.0;     // deviations beyond which a cell loses its say at first
+constexpr double safe_reach = 0.7;   // share of Nyquist up to which aliases of anything are small
+constexpr int corrections = 2;       // of the window: each leaves a small share of the error before
+constexpr int fewest_per_field = 5;  // cells, so that a refinement has something to go by
 
 /// What the fit looks at.
 struct Observation {
   Spectrum spectrum;
   std::vector<Cell> coarse;
-  std::vector<Cell> fine;
+  std::vector<Cell> fine;  // to where aliases may begin
+  std::vector<Cell> full;  // to the Nyquist frequency
   std::vector<std::string> remarks;
 };
 
@@ -54,88 +58,25 @@ Observation observe(const Surface& surface) {
   }
   const Leakage leaked = leakage(seen.spectrum);
   const double hole = steps_emptied_by(surface.levelling);
-  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole});
-  seen.coarse =
-      cells_of(seen.spectrum, leaked,
-               {.empty_steps = hole, .inner_bins = 10.0, .growth = 0.12, .faintest = 1e-6});
+  seen.full =
+      cells_of(seen.spectrum, leaked, {.empty_steps = hole, .most_leakage = 1.0, .faintest = 0.0});
+  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe_reach});
+  seen.coarse = cells_of(seen.spectrum, leaked,
+                         {.empty_steps = hole,
+                          .reach = safe_reach,
+                          .inner_bins = 10.0,
+                          .growth = 0.12,
+                          .faintest = 1e-6});
   double highest = 0.0;
   for (const Cell& cell : seen.fine) highest = std::max(highest, cell.power);
   if (!(highest > 0.0)) {
     throw Error("wrinkle fit: the map is flat; there is nothing to fit");
   }
   // A cell that is empty to rounding has no logarithm.
-  for (auto* cells : {&seen.coarse, &seen.fine}) {
+  for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {
     for (Cell& cell : *cells) cell.power = std::max(cell.power, 1e-25 * highest);
   }
   return seen;
-}
-
-/// The expected power of every cell.
-template <class T>
-std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cells) {
-  std::vector<T> sums;
-  for (const Cell& cell : cells) sums.push_back(wrinkle.floor_mm4 + cell.leakage);
-  for (const auto& component : wrinkle.components) {
-    const auto covariance = autocovariance(component);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const Cell& cell = cells[i];
-      const GaussianCovariance<T> seen{covariance.variance, covariance.xx + cell.xx,
-                                       covariance.xy + cell.xy, covariance.yy + cell.yy};
-      sums[i] += psd(seen, cell.fx, cell.fy);
-    }
-  }
-  return sums;
-}
-
-/// A residual whose square grows with the logarithm of r^2 beyond `cauchy_scale`.
-template <class T>
-T softened(const T& r) {
-  using std::log;
-  using std::sqrt;
-  const T u = r * r / (cauchy_scale * cauchy_scale);
-  if (value_of(u) < 1e-6) return r;
-  return (value_of(r) < 0.0 ? -cauchy_scale : cauchy_scale) * sqrt(log(1.0 + u));
-}
-
-/// sign(d) sqrt(2 (e^d - 1 - d)): half its square is the deviance of an exponential variable whose
-/// logarithm exceeds that of its mean by d.
-template <class T>
-T deviance_residual(const T& d) {
-  using std::exp;
-  using std::sqrt;
-  const double plain = value_of(d);
-  // Near 0 by its series, where the difference would cancel; the next term is d^5 / 2520.
-  if (std::abs(plain) < 0.1) {
-    return d * sqrt(1.0 + d * (1.0 / 3.0 + d * (1.0 / 12.0 + d * (1.0 / 60.0 + d / 360.0))));
-  }
-  const T root = sqrt(2.0 * (exp(d) - 1.0 - d));
-  return plain < 0.0 ? -root : root;
-}
-
-/// Stage one: forgiving log ratios, for starts that are far away.
-auto log_ratios(const std::vector<Cell>& cells, double independence) {
-  return [&cells, independence](const auto& wrinkle, auto* r) {
-    using std::log;
-    const auto model = densities(wrinkle, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const double n = cells[i].count;
-      const double bias = 1.0 / (2.0 * n) + 1.0 / (12.0 * n * n);  // of the log of a mean of n
-      r[i] =
-          softened(std::sqrt(independence * n) * (std::log(cells[i].power) + bias - log(model[i])));
-    }
-  };
-}
-
-/// Stage two: half the sum of squares is the negative logarithm of the Whittle likelihood.
-auto deviances(const std::vector<Cell>& cells, double independence) {
-  return [&cells, independence](const auto& wrinkle, auto* r) {
-    using std::log;
-    const auto model = densities(wrinkle, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      r[i] = std::sqrt(independence * cells[i].count) *
-             deviance_residual(std::log(cells[i].power) - log(model[i]));
-    }
-  };
 }
 
 /// The same wrinkles as everyone would write them: long >= short, long components first.
@@ -158,18 +99,6 @@ double half_sum_of_squares(const Wrinkle<>& wrinkle, std::size_t count, const au
   return sum;
 }
 
-/// Fisher information of the packed fields: sum of kappa n (d ln S)(d ln S)^T.
-Eigen::MatrixXd information_of(const Wrinkle<>& wrinkle, const Observation& seen) {
-  const auto& cells = seen.fine;
-  const auto jacobian = jacobian_of(wrinkle, int(cells.size()), [&](const auto& material, auto* r) {
-    using std::log;
-    const auto model = densities(material, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      r[i] = std::sqrt(seen.spectrum.independence * cells[i].count) * log(model[i]);
-  });
-  return jacobian.transpose() * jacobian;
-}
-
 std::vector<Wrinkle<>> materials(const Wrinkle<>& shape, const std::vector<Ending>& endings) {
   std::vector<Wrinkle<>> result;
   for (const auto& ending : endings) {
@@ -178,26 +107,46 @@ std::vector<Wrinkle<>> materials(const Wrinkle<>& shape, const std::vector<Endin
   return result;
 }
 
+/// The best of several starts, over the cells that aliases cannot reach.
 Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation& seen) {
   const double kappa = seen.spectrum.independence;
   const auto rough = materials(
       starts.front(), endings_of(starts, int(seen.coarse.size()), log_ratios(seen.coarse, kappa),
                                  {.max_iterations = 50, .tolerance = 1e-4}));
-  const auto whittle = deviances(seen.fine, kappa);
-  auto fit =
-      solve(rough, int(seen.fine.size()), whittle, {.max_iterations = 60, .tolerance = 1e-7});
+  auto fit = solve(rough, int(seen.fine.size()), deviances(seen.fine, kappa),
+                   {.max_iterations = 60, .tolerance = 1e-7});
   fit.starts = int(starts.size());
   fit.material = canonical(fit.material);
+  return fit;
+}
 
+/// `fit` moved to where the whole spectrum and the exact window want it, and its uncertainty.
+void refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
+  const double kappa = seen.spectrum.independence;
+  const Extent& extent = seen.spectrum.extent;
+  const auto overlap = taper_overlap(seen.spectrum.taper);
+  const int fields = int(pack(fit.material).size());
+  auto cells = seen.fine;
+  for (int k = 0; k < corrections; ++k) {
+    auto better_cells =
+        trusted(corrected(seen.full, fit.material, overlap, extent), fit.material, extent.pitch);
+    if (int(better_cells.size()) < fewest_per_field * fields) break;
+    cells = std::move(better_cells);
+    const auto better = solve(std::vector{fit.material}, int(cells.size()), deviances(cells, kappa),
+                              {.max_iterations = 60, .tolerance = 1e-8});
+    fit.material = canonical(better.material);
+    fit.cost = better.cost;
+  }
   // A floor that the data cannot tell from none is none.
   Wrinkle<> bare = fit.material;
   bare.floor_mm4 = 0.0;
-  const double without = half_sum_of_squares(bare, seen.fine.size(), whittle);
+  const double without = half_sum_of_squares(bare, cells.size(), deviances(cells, kappa));
   if (without < fit.cost + 0.01) fit.material = bare;
-  set_uncertainty(fit, information_of(fit.material, seen));
-  fit.goodness_p = goodness_of_fit(seen.fine, densities(fit.material, seen.fine), kappa,
-                                   int(pack(fit.material).size()));
-  return fit;
+
+  const auto jacobian =
+      jacobian_of(fit.material, int(cells.size()), whitened_logarithms(cells, kappa));
+  set_uncertainty(fit, jacobian.transpose() * jacobian);
+  fit.goodness_p = goodness_of_fit(cells, densities(fit.material, cells), kappa, fields);
 }
 
 std::vector<std::string> remarks_on(const Fit<Wrinkle<>>& fit) {
@@ -243,6 +192,7 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
     if (components > fewest && bic(fit, seen) >= bic(best, seen)) break;
     best = std::move(fit);
   }
+  refine(best, seen);
   best.remarks = seen.remarks;
   for (auto& remark : remarks_on(best)) best.remarks.push_back(std::move(remark));
   return best;
