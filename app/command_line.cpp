@@ -144,8 +144,9 @@ void add_measuring(Commands& commands) {
                      ->check(CLI::IsMember({"offset", "plane", "quadratic"}));
                  command
                      .add_option("--estimator", a.estimator,
-                                 "how normals are found (default: least-squares)")
-                     ->check(CLI::IsMember({"least-squares"}));
+                                 "how normals are found: least-squares of all samples, or "
+                                 "lit-least-squares of those that are lit (default)")
+                     ->check(CLI::IsMember({"least-squares", "lit-least-squares"}));
                  add_out(command, a, "surface folder to write")->required();
                });
   commands.add("measure", "Describe a surface: spectrum, rings, sectors, roughness",

@@ -8,7 +8,7 @@
 namespace hada {
 
 std::string surface_notes(const Reconstruction& r) {
-  Json notes = {{"estimator", "least-squares"}};
+  Json notes = {{"estimator", std::string(name_of(r.estimator))}};
   const auto note = [&](const char* key, double value) {
     if (std::isfinite(value)) notes[key] = value;
   };

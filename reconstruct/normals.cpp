@@ -75,7 +75,8 @@ struct RowSamples {
   std::vector<float> grey;  // strength divided out
   Bytes lit;
 
-  RowSamples(const LightStack& stack, int row) {
+  RowSamples(const LightStack& stack, Estimator estimator, int row) {
+    const bool shadows_count = estimator == Estimator::least_squares;
     const std::size_t lights = stack.lights.size();
     const std::size_t cols = std::size_t(stack.extent().cols);
     grey.assign(lights * cols, 0.0f);
@@ -90,7 +91,8 @@ struct RowSamples {
       }
       const auto samples = stack.samples[k].row(row);
       for (std::size_t col = 0; col < cols; ++col) {
-        lit[col * lights + k] = samples[col] == Sample::lit;
+        lit[col * lights + k] =
+            samples[col] == Sample::lit || (shadows_count && samples[col] == Sample::shadowed);
       }
     }
   }
@@ -187,8 +189,8 @@ struct Maps {
   }
 };
 
-Relighting solve_row(const LightStack& stack, bool near, int row, Maps& maps) {
-  const RowSamples samples(stack, row);
+Relighting solve_row(const LightStack& stack, Estimator estimator, bool near, int row, Maps& maps) {
+  const RowSamples samples(stack, estimator, row);
   const std::size_t count = stack.lights.size();
   Relighting relighting;
   Arrival arrival(stack.lights, Eigen::Vector2d::Zero());
@@ -251,7 +253,11 @@ double checked_condition(const LightStack& stack) {
 
 }  // namespace
 
-Orientation least_squares_normals(const LightStack& stack) {
+std::string_view name_of(Estimator estimator) {
+  return estimator == Estimator::least_squares ? "least-squares" : "lit-least-squares";
+}
+
+Orientation least_squares_normals(const LightStack& stack, Estimator estimator) {
   assert(stack.images.size() == stack.lights.size());
   assert(stack.samples.size() == stack.lights.size());
   const double condition = checked_condition(stack);
@@ -259,8 +265,9 @@ Orientation least_squares_normals(const LightStack& stack) {
                                 [](const Light& light) { return light.position.has_value(); });
   Maps maps(stack);
   std::vector<Relighting> rows(std::size_t(stack.extent().rows));
-  for_each_index(stack.extent().rows,
-                 [&](int row) { rows[std::size_t(row)] = solve_row(stack, near, row, maps); });
+  for_each_index(stack.extent().rows, [&](int row) {
+    rows[std::size_t(row)] = solve_row(stack, estimator, near, row, maps);
+  });
   Relighting total;
   for (const Relighting& row : rows) {
     total.picture += row.picture;

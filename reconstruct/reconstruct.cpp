@@ -119,7 +119,7 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   if (pixels_in(stack.mask) == 0) {
     throw Error("the mask is empty: no pixel belongs to the sample; check the mask or its box");
   }
-  const Orientation found = least_squares_normals(stack);
+  const Orientation found = least_squares_normals(stack, options.estimator);
   if (pixels_in(found.mask) == 0) {
     throw Error(
         "no pixel of the mask has three good samples and a normal towards the camera: check the "
@@ -135,6 +135,7 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   surface.levelling = name_of(options.levelling);
   surface.height_sigma =
       height_sigma(surface.normals, surface.normal_sigma, surface.mask, pitch, options.levelling);
+  result.estimator = options.estimator;
   result.noise = found.noise;
   result.relighting_error = found.relighting_error;
   result.condition = found.condition;

@@ -12,12 +12,14 @@ namespace hada {
 
 struct ReconstructOptions {
   Levelling levelling = Levelling::plane;
+  Estimator estimator = Estimator::lit_least_squares;
 };
 
 /// A surface, and what a person should know of how it came about.
 struct Reconstruction {
-  Surface surface;     // cropped to the bounding box of the mask; offset_px says where that lies
-  double noise = 0.0;  // of one grey sample, in units of the largest sample value
+  Surface surface;  // cropped to the bounding box of the mask; offset_px says where that lies
+  Estimator estimator = Estimator::lit_least_squares;  // that was used
+  double noise = 0.0;                // of one grey sample, in units of the largest sample value
   double relighting_error = 0.0;     // root mean square, relative
   double condition = 0.0;            // of the light directions
   std::vector<std::string> remarks;  // plain sentences: what is poor, and what would help

@@ -18,6 +18,13 @@ Levelling levelling_named(const std::string& name) {
   throw Error("--levelling " + name + ": choose from: offset, plane, quadratic");
 }
 
+Estimator estimator_named(const std::string& name) {
+  for (const auto estimator : {Estimator::least_squares, Estimator::lit_least_squares}) {
+    if (name_of(estimator) == name) return estimator;
+  }
+  throw Error("--estimator " + name + ": choose from: least-squares, lit-least-squares");
+}
+
 }  // namespace
 
 void reconstruct_command(const ReconstructArguments& arguments, const Terminal& terminal) {
@@ -26,7 +33,8 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
   const LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
   terminal.step("reconstructing normals and height");
   const Reconstruction result =
-      reconstruct(lit.stack, {.levelling = levelling_named(arguments.levelling)});
+      reconstruct(lit.stack, {.levelling = levelling_named(arguments.levelling),
+                              .estimator = estimator_named(arguments.estimator)});
 
   const std::string notes = surface_notes(result);
   write_surface(output, result.surface, notes);

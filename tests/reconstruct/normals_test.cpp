@@ -204,6 +204,20 @@ TEST(LeastSquaresNormals, AreLessSureWhereTheModelFails) {
   EXPECT_GT(found.normal_sigma(8, 30), 10.0f * found.normal_sigma(45, 30));
 }
 
+TEST(LeastSquaresNormals, CountShadowsOnlyWhereThePlainMethodIsAskedFor) {
+  const Relief relief = waves(20, 20);
+  LightStack stack = pictures_of(relief, ring_of_lights(6));
+  stack.images[1].planes[0](9, 9) = 0.0f;
+  stack.samples[1](9, 9) = Sample::shadowed;
+  const auto turned = [&](Estimator estimator) {
+    const auto found = least_squares_normals(stack, estimator);
+    return (found.normals(9, 9) - relief.normals(9, 9)).norm();
+  };
+  EXPECT_LT(turned(Estimator::lit_least_squares), 1e-5f);
+  // A sample of about 0.6 that is taken for 0 moves rho n by 0.6 |N^+ e| > 0.1.
+  EXPECT_GT(turned(Estimator::least_squares), 0.05f);
+}
+
 TEST(LeastSquaresNormals, GiveTheSameBytesAtAnyThreadCount) {
   const LightStack stack =
       pictures_of(waves(51, 40), ring_of_lights(5), {.channels = 3, .noise = 0.01});
