@@ -76,7 +76,7 @@ struct RowSamples {
   Bytes lit;
 
   RowSamples(const LightStack& stack, Estimator estimator, int row) {
-    const bool shadows_count = estimator == Estimator::least_squares;
+    const bool all_count = estimator == Estimator::least_squares;
     const std::size_t lights = stack.lights.size();
     const std::size_t cols = std::size_t(stack.extent().cols);
     grey.assign(lights * cols, 0.0f);
@@ -91,8 +91,7 @@ struct RowSamples {
       }
       const auto samples = stack.samples[k].row(row);
       for (std::size_t col = 0; col < cols; ++col) {
-        lit[col * lights + k] =
-            samples[col] == Sample::lit || (shadows_count && samples[col] == Sample::shadowed);
+        lit[col * lights + k] = all_count || samples[col] == Sample::lit;
       }
     }
   }

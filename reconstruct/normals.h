@@ -9,10 +9,10 @@
 
 namespace hada {
 
-/// How normals are found from the samples of a pixel. Saturated samples never count.
+/// How normals are found from the samples of a pixel.
 enum class Estimator {
-  least_squares,  // all samples, shadowed ones included: the paper's, and the baseline of others
-  lit_least_squares,  // the samples that are lit
+  least_squares,      // all samples, shadowed and saturated ones too: the paper's, and a baseline
+  lit_least_squares,  // the samples that are lit and not saturated
 };
 
 /// "least-squares", "lit-least-squares"
