@@ -26,7 +26,7 @@ std::vector<Cell> corrected(std::vector<Cell> cells, const Wrinkle<>& wrinkle,
                             const Grid<double>& overlap, const Extent& extent);
 
 struct TrustOptions {
-  double most_aliased = 0.02;    // share of a cell's power that aliases may add
+  double most_aliased = 0.005;   // share of a cell's power that aliases may add
   double most_leakage = 0.05;    // share that leakage may add
   double most_correction = 2.0;  // by the window, up or down
   double faintest = 1e-9;        // share of the highest power below which rounding takes over

@@ -9,17 +9,42 @@
 
 namespace hada {
 
+/// Whether derivatives are asked for with respect to anything that made this covariance.
+template <class T>
+bool varies(const GaussianCovariance<T>& covariance) {
+  if constexpr (requires { covariance.variance.v; }) {
+    return !(covariance.variance.v.isZero() && covariance.xx.v.isZero() &&
+             covariance.xy.v.isZero() && covariance.yy.v.isZero());
+  } else {
+    return true;
+  }
+}
+
+/// Adds what one component sends into every cell.
+template <class T, class U>
+void add_density(std::vector<T>& sums, const GaussianCovariance<U>& covariance,
+                 const std::vector<Cell>& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell& cell = cells[i];
+    const GaussianCovariance<U> seen{covariance.variance, covariance.xx + cell.xx,
+                                     covariance.xy + cell.xy, covariance.yy + cell.yy};
+    sums[i] += psd(seen, cell.fx, cell.fy);
+  }
+}
+
 /// The expected power of every cell.
 template <class T>
 std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cells) {
   std::vector<T> sums(cells.size(), wrinkle.floor_mm4);
   for (const auto& component : wrinkle.components) {
     const auto covariance = autocovariance(component);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const Cell& cell = cells[i];
-      const GaussianCovariance<T> seen{covariance.variance, covariance.xx + cell.xx,
-                                       covariance.xy + cell.xy, covariance.yy + cell.yy};
-      sums[i] += psd(seen, cell.fx, cell.fy);
+    if (varies(covariance)) {
+      add_density(sums, covariance, cells);
+    } else {
+      // Derivatives are taken a few fields at a time: most components stand still meanwhile.
+      const GaussianCovariance<> still{value_of(covariance.variance), value_of(covariance.xx),
+                                       value_of(covariance.xy), value_of(covariance.yy)};
+      add_density(sums, still, cells);
     }
   }
   for (std::size_t i = 0; i < cells.size(); ++i)

@@ -17,9 +17,13 @@ namespace {
 
 constexpr int fewest_pixels = 32;  // along each side: fewer hold too few ordinates to tell shapes
 constexpr double least_goodness = 1e-3;  // p below which a person is told
-constexpr double safe_reach = 0.7;   // share of Nyquist up to which aliases of anything are small
-constexpr int corrections = 2;       // of the window: each leaves a small share of the error before
-constexpr int fewest_per_field = 5;  // cells, so that a refinement has something to go by
+constexpr double safe_reach = 0.6;  // share of Nyquist up to which aliases of anything are small
+constexpr int corrections = 2;      // of the window: each leaves a small share of the error before
+constexpr double same_rough_cost = 0.5;  // of starts that are on the way to the same place
+constexpr double same_share = 0.02;      // by which the fields of one and the same end may differ
+constexpr int most_groups = 4;           // of starts that are worth the whole spectrum
+constexpr double visible_floor = 0.3;    // share of the lowest power
+constexpr int fewest_per_field = 5;      // cells, so that a refinement has something to go by
 
 /// What the fit looks at.
 struct Observation {
@@ -99,24 +103,92 @@ double half_sum_of_squares(const Wrinkle<>& wrinkle, std::size_t count, const au
   return sum;
 }
 
-std::vector<Wrinkle<>> materials(const Wrinkle<>& shape, const std::vector<Ending>& endings) {
-  std::vector<Wrinkle<>> result;
-  for (const auto& ending : endings) {
-    if (std::isfinite(ending.cost)) result.push_back(unpack(shape, ending.packed.data()));
+/// A wrinkle that explains as many components one after the other, each where most is left over.
+Wrinkle<> grown(int components, const Observation& seen) {
+  auto wrinkle = wrinkle_starts(seen.spectrum, 1, 1).front();
+  const auto residual = log_ratios(seen.coarse, seen.spectrum.independence);
+  while (int(wrinkle.components.size()) < components) {
+    const auto ending = endings_of(std::vector{wrinkle}, int(seen.coarse.size()), residual,
+                                   {.max_iterations = 30, .tolerance = 1e-3})
+                            .front();
+    wrinkle = unpack(wrinkle, ending.packed.data());
+    wrinkle = with_one_more(wrinkle, seen.coarse, densities(wrinkle, seen.coarse));
   }
-  return result;
+  return wrinkle;
+}
+
+double lowest_power(const std::vector<Cell>& cells) {
+  const auto fainter = [](const Cell& a, const Cell& b) { return a.power < b.power; };
+  return std::min_element(cells.begin(), cells.end(), fainter)->power;
+}
+
+/// Whether two canonical wrinkles are one; how far below everything their floors lie is no matter.
+bool alike(const Wrinkle<>& a, const Wrinkle<>& b) {
+  for (std::size_t k = 0; k < a.components.size(); ++k) {
+    const auto &one = a.components[k], &other = b.components[k];
+    const auto differ = [](double x, double y) { return std::abs(std::log(x / y)) > same_share; };
+    if (differ(one.amplitude_mm, other.amplitude_mm) || differ(one.long_mm, other.long_mm) ||
+        differ(one.short_mm, other.short_mm))
+      return false;
+  }
+  return true;
+}
+
+/// Starts that ended at the same place.
+struct Group {
+  Wrinkle<> material;
+  double cost;
+  int starts;
+};
+
+/// Groups of equal cost, the best first.
+std::vector<Group> groups_of(const Wrinkle<>& shape, std::vector<Ending> endings, double same) {
+  std::stable_sort(endings.begin(), endings.end(),
+                   [](const Ending& a, const Ending& b) { return a.cost < b.cost; });
+  std::vector<Group> groups;
+  for (const Ending& ending : endings) {
+    if (!std::isfinite(ending.cost)) break;
+    if (groups.empty() || ending.cost > groups.back().cost + same)
+      groups.push_back({unpack(shape, ending.packed.data()), ending.cost, 0});
+    ++groups.back().starts;
+  }
+  return groups;
 }
 
 /// The best of several starts, over the cells that aliases cannot reach.
 Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation& seen) {
   const double kappa = seen.spectrum.independence;
-  const auto rough = materials(
-      starts.front(), endings_of(starts, int(seen.coarse.size()), log_ratios(seen.coarse, kappa),
-                                 {.max_iterations = 50, .tolerance = 1e-4}));
-  auto fit = solve(rough, int(seen.fine.size()), deviances(seen.fine, kappa),
-                   {.max_iterations = 60, .tolerance = 1e-7});
+  const auto& shape = starts.front();
+  auto rough = groups_of(shape,
+                         endings_of(starts, int(seen.coarse.size()), log_ratios(seen.coarse, kappa),
+                                    {.max_iterations = 50, .tolerance = 1e-4}),
+                         same_rough_cost);
+  if (int(rough.size()) > most_groups) rough.resize(most_groups);
+  std::vector<Wrinkle<>> promising;
+  for (const Group& group : rough) {
+    promising.push_back(group.material);
+    // The logarithm of a floor that nothing sees has no slope to climb back along.
+    double& floor = promising.back().floor_mm4;
+    floor = std::max(floor, visible_floor * lowest_power(seen.fine));
+  }
+  const auto endings = endings_of(promising, int(seen.fine.size()), deviances(seen.fine, kappa),
+                                  {.max_iterations = 40, .tolerance = 1e-6});
+
+  const auto best =
+      std::min_element(endings.begin(), endings.end(),
+                       [](const Ending& a, const Ending& b) { return a.cost < b.cost; });
+  Fit<Wrinkle<>> fit;
+  fit.material = canonical(unpack(shape, best->packed.data()));
+  fit.cost = best->cost;
   fit.starts = int(starts.size());
-  fit.material = canonical(fit.material);
+  fit.runner_up_gap = HUGE_VAL;
+  for (std::size_t k = 0; k < endings.size(); ++k) {
+    if (alike(canonical(unpack(shape, endings[k].packed.data())), fit.material)) {
+      fit.agreeing += rough[k].starts;
+    } else {
+      fit.runner_up_gap = std::min(fit.runner_up_gap, endings[k].cost - fit.cost);
+    }
+  }
   return fit;
 }
 
@@ -184,10 +256,10 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
   const int most = options.components > 0 ? options.components : options.most_components;
   Fit<Wrinkle<>> best;
   for (int components = fewest; components <= most; ++components) {
-    auto from = wrinkle_starts(seen.spectrum, components, starts);
-    if (components > fewest) {
-      from.push_back(with_one_more(best.material, seen.fine, densities(best.material, seen.fine)));
-    }
+    auto from = wrinkle_starts(seen.spectrum, components, starts - 1);
+    from.push_back(components == fewest ? grown(components, seen)
+                                        : with_one_more(best.material, seen.fine,
+                                                        densities(best.material, seen.fine)));
     auto fit = fit_from(from, seen);
     if (components > fewest && bic(fit, seen) >= bic(best, seen)) break;
     best = std::move(fit);
