@@ -23,6 +23,7 @@ constexpr double same_rough_cost = 0.5;  // of starts that are on the way to the
 constexpr double same_share = 0.02;      // by which the fields of one and the same end may differ
 constexpr int most_groups = 4;           // of starts that are worth the whole spectrum
 constexpr double visible_floor = 0.3;    // share of the lowest power
+constexpr double most_worse = 1.2;       // than before may a refined fit explain the first cells
 constexpr int fewest_per_field = 5;      // cells, so that a refinement has something to go by
 
 /// What the fit looks at.
@@ -198,14 +199,20 @@ void refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
   const Extent& extent = seen.spectrum.extent;
   const auto overlap = taper_overlap(seen.spectrum.taper);
   const int fields = int(pack(fit.material).size());
+  const double first_cost = fit.cost;
   auto cells = seen.fine;
   for (int k = 0; k < corrections; ++k) {
     auto better_cells =
         trusted(corrected(seen.full, fit.material, overlap, extent), fit.material, extent.pitch);
     if (int(better_cells.size()) < fewest_per_field * fields) break;
+    const auto better =
+        solve(std::vector{fit.material}, int(better_cells.size()), deviances(better_cells, kappa),
+              {.max_iterations = 60, .tolerance = 1e-8});
+    // A model must not leave out the cells that speak against it.
+    const auto first = deviances(seen.fine, kappa);
+    if (half_sum_of_squares(better.material, seen.fine.size(), first) > most_worse * first_cost)
+      break;
     cells = std::move(better_cells);
-    const auto better = solve(std::vector{fit.material}, int(cells.size()), deviances(cells, kappa),
-                              {.max_iterations = 60, .tolerance = 1e-8});
     fit.material = canonical(better.material);
     fit.cost = better.cost;
   }
