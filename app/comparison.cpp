@@ -32,11 +32,18 @@ Json json_of(const Roughness& r) {
 }  // namespace
 
 double spectral_distance_db(const Rings& a, const Rings& b) {
+  // What lies 60 dB under the strongest ring is the residue of tapers and noise in either map.
+  const double strongest = std::max(*std::max_element(a.density.begin(), a.density.end()),
+                                    *std::max_element(b.density.begin(), b.density.end()));
+  const double floor = std::log10(1e-6 * strongest);
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < a.frequency.size(); ++i) {
     if (a.count[i] == 0 || a.frequency[i] > b.frequency.back()) continue;
-    const double decibel = 10.0 * (std::log10(a.density[i]) - log_density(b, a.frequency[i]));
+    const double of_a = std::max(floor, std::log10(a.density[i]));
+    const double of_b = std::max(floor, log_density(b, a.frequency[i]));
+    if (of_a == floor && of_b == floor) continue;
+    const double decibel = 10.0 * (of_a - of_b);
     if (!std::isfinite(decibel)) continue;
     sum += decibel * decibel;
     ++count;

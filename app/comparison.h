@@ -40,7 +40,8 @@ struct Comparison {
 /// throws  Error if one is in mm and the other in px, or only one has a height
 Comparison compare(const Surface& first, const Surface& second);
 
-/// Root mean square over the rings of `a` of 10 log10(a / b), b read between its own rings.
+/// Root mean square over the rings of `a` of 10 log10(a / b), b read between its own rings. Rings
+/// of which both have less than a millionth of the strongest ring do not count.
 double spectral_distance_db(const Rings& a, const Rings& b);
 
 /// Angles between lights that belong together, radians.

@@ -24,14 +24,14 @@ void put_picture(Output& output, const std::string& name, const Image& picture) 
   write_integer_image(output.file(name), picture, 8);
 }
 
-void put_previews(Output& output, const Surface& surface) {
+void put_previews(Output& output, const std::string& folder, const Surface& surface) {
   if (surface.has_height()) {
-    put_picture(output, "height.png", relief_picture(surface, relief_style(surface)));
+    put_picture(output, folder + "height.png", relief_picture(surface, relief_style(surface)));
   }
   if (!surface.normals.empty() || surface.has_height()) {
-    put_picture(output, "normal.png", normal_picture(surface));
+    put_picture(output, folder + "normal.png", normal_picture(surface));
   }
-  if (!surface.albedo.empty()) put_picture(output, "albedo.png", albedo_picture(surface));
+  if (!surface.albedo.empty()) put_picture(output, folder + "albedo.png", albedo_picture(surface));
 }
 
 std::filesystem::path shipped_recipe(const std::string& name) {

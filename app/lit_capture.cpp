@@ -34,7 +34,9 @@ Photographs load_folder(const std::filesystem::path& folder, const Terminal& ter
 }
 
 LightsFile lights_file(const Calibration& calibration) {
-  LightsFile file{calibration.lights, {}, ""};
+  LightsFile file;
+  file.lights = calibration.lights;
+  file.strengths_measured = calibration.strengths_measured;
   if (calibration.encoding_known) file.encoding = calibration.linear ? "linear" : "srgb";
   for (const auto& reading : calibration.readings) file.spheres.push_back(reading.sphere);
   return file;
@@ -68,7 +70,7 @@ LitCapture lit_capture(Photographs photographs,
   lit.lights.encoding = photographs.linear ? "linear" : "srgb";
   terminal.step("finding the sample");
   lit.stack = light_stack(photographs, lit.lights.lights, lit.lights.spheres);
-  if (lit.calibration && !lit.calibration->strengths_measured) balance_strengths(lit.stack);
+  if (!lit.lights.strengths_measured) balance_strengths(lit.stack);
   lit.lights.lights = lit.stack.lights;
   add(lit.remarks, photographs.remarks);
   lit.photographs = std::move(photographs);

@@ -57,7 +57,6 @@ Photographs as_loaded(const VirtualCapture& capture, const Recipe& recipe) {
 void write_capture(const std::filesystem::path& folder, const VirtualCapture& capture,
                    const Recipe& recipe) {
   Output output(folder);
-  Output truth(folder / "truth");
   const CaptureFile file = manifest(folder, capture.stack.images.size(), recipe.rig);
   for (std::size_t k = 0; k < file.pictures.size(); ++k) {
     const auto path = output.file(file.pictures[k].name);
@@ -68,13 +67,13 @@ void write_capture(const std::filesystem::path& folder, const VirtualCapture& ca
     }
   }
   put_text(output, "capture.json", capture_text(file));
-  write_surface(truth, capture.truth);
-  put_text(truth, "lights.json", lights_text({capture.stack.lights, {}, "linear"}));
+  write_surface(output, "truth/", capture.truth);
+  put_text(output, "truth/lights.json",
+           lights_text({.lights = capture.stack.lights, .spheres = {}, .encoding = "linear"}));
   MaterialFile material;
   material.material = recipe.material;
   material.seed = recipe.sheet_seed;
-  put_text(truth, "material.json", material_text(material));
-  truth.commit();
+  put_text(output, "truth/material.json", material_text(material));
   output.commit();
 }
 

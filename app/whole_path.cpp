@@ -35,20 +35,19 @@ TruthCheck check_truth(const WholePath& path, const std::filesystem::path& folde
           read_material(folder / "material.json").material};
 }
 
-void write_whole_path(const WholePath& path, WholePathOutput& output) {
+void write_whole_path(const WholePath& path, Output& output) {
   const std::string lights = lights_text(path.lit.lights);
-  put_text(output.all, "lights.json", lights);
-  write_surface(output.surface, path.reconstruction.surface, surface_notes(path.reconstruction));
-  put_text(output.surface, "lights.json", lights);
-  put_previews(output.surface, path.reconstruction.surface);
-  put_text(output.all, "measure.json", measurement_text(path.measurement));
-  put_text(output.all, "material.json", material_text(path.material));
-  write_surface(output.synth, path.synthesized);
-  put_previews(output.synth, path.synthesized);
-  put_text(output.all, "report.html", report_html(path));
-  output.surface.commit();
-  output.synth.commit();
-  output.all.commit();
+  put_text(output, "lights.json", lights);
+  write_surface(output, "surface/", path.reconstruction.surface,
+                surface_notes(path.reconstruction));
+  put_text(output, "surface/lights.json", lights);
+  put_previews(output, "surface/", path.reconstruction.surface);
+  put_text(output, "measure.json", measurement_text(path.measurement));
+  put_text(output, "material.json", material_text(path.material));
+  write_surface(output, "synth/", path.synthesized);
+  put_previews(output, "synth/", path.synthesized);
+  put_text(output, "report.html", report_html(path));
+  output.commit();
 }
 
 void tell(const WholePath& path, const std::filesystem::path& folder, const Terminal& terminal) {
@@ -56,6 +55,10 @@ void tell(const WholePath& path, const std::filesystem::path& folder, const Term
   terminal.say(told(path.reconstruction));
   for (const auto& line : told(path.material)) terminal.say(line);
   if (path.truth) terminal.say(told(*path.truth));
+  for (const auto* remarks :
+       {&path.lit.remarks, &path.reconstruction.remarks, &path.material.remarks}) {
+    for (const auto& remark : *remarks) terminal.say("note: " + remark);
+  }
   terminal.say("open " + (folder / "report.html").string());
 }
 

@@ -45,19 +45,8 @@ WholePath whole_path(LitCapture lit, const std::string& name, const WholePathOpt
 /// How close the path came to the truth that a virtual camera left in `folder`.
 TruthCheck check_truth(const WholePath& path, const std::filesystem::path& folder);
 
-/// Where the whole path is written. Made before the work begins: who may not write hears it at
-/// once.
-struct WholePathOutput {
-  Output all;
-  Output surface;
-  Output synth;
-
-  explicit WholePathOutput(const std::filesystem::path& folder)
-      : all(folder), surface(folder / "surface"), synth(folder / "synth") {}
-};
-
 /// Writes lights.json, surface/, measure.json, material.json, synth/ and report.html.
-void write_whole_path(const WholePath& path, WholePathOutput& output);
+void write_whole_path(const WholePath& path, Output& output);
 
 /// The few lines that a person reads first.
 void tell(const WholePath& path, const std::filesystem::path& folder, const Terminal& terminal);

@@ -131,6 +131,13 @@ LightStack light_stack(Photographs photographs, std::vector<Light> lights,
                     folder, photographs.images.size(), photographs.images.size() == 1 ? "" : "s"));
   }
   assert(lights.size() == photographs.images.size());
+  const bool near = std::any_of(lights.begin(), lights.end(),
+                                [](const Light& light) { return light.position.has_value(); });
+  if (near && photographs.camera.extent.unit == Unit::px) {
+    throw Error(folder +
+                ": lights have a position in mm, but nobody says how large a pixel is; give "
+                "pitch_mm");
+  }
   scale_strengths(lights);
   const int bits = photographs.bits;
   photographs = linearized(std::move(photographs));

@@ -76,6 +76,7 @@ LightsFile read_lights(const std::filesystem::path& path) {
       file.spheres.push_back(sphere_from(JsonObject(spheres[i], entry(name, "spheres", i))));
     }
   }
+  file.strengths_measured = object.flag("strengths_measured", true);
   file.encoding = object.text("encoding", "");
   if (!file.encoding.empty() && file.encoding != "linear" && file.encoding != "srgb") {
     object.fail("encoding", "must be linear or srgb");
@@ -87,6 +88,7 @@ LightsFile read_lights(const std::filesystem::path& path) {
 std::string lights_text(const LightsFile& file) {
   Json json = {{"hada", "lights/1"}};
   if (!file.encoding.empty()) json["encoding"] = file.encoding;
+  if (!file.strengths_measured) json["strengths_measured"] = false;
   json["lights"] = Json::array();
   for (const Light& light : file.lights) json["lights"].push_back(json_of_light(light));
   json["spheres"] = Json::array();

@@ -13,6 +13,7 @@ namespace hada {
 struct LightsFile {
   std::vector<Light> lights;
   std::vector<Sphere> spheres;
+  bool strengths_measured = true;  // false: they are assumed equal, only directions were seen
   std::string encoding;  // of the pictures they were found in, "linear" or "srgb"; empty: not said
 };
 

@@ -219,12 +219,13 @@ Surface read_single(const fs::path& path, double pitch, Unit unit) {
 
 }  // namespace
 
-void write_surface(Output& output, const Surface& surface, const std::string& notes_json) {
+void write_surface(Output& output, const std::string& folder, const Surface& surface,
+                   const std::string& notes_json) {
   Json maps = Json::array({"mask.png"});
-  write_integer_image(output.file("mask.png"), image_of(surface.mask), 8);
+  write_integer_image(output.file(folder + "mask.png"), image_of(surface.mask), 8);
   const auto write_map = [&](const char* name, const Image& image) {
     if (image.rows() == 0) return;
-    write_exr(output.file(name), only_inside(image, surface.mask));
+    write_exr(output.file(folder + name), only_inside(image, surface.mask));
     maps.push_back(name);
   };
   write_map("height.exr", Image(surface.height));
@@ -243,7 +244,7 @@ void write_surface(Output& output, const Surface& surface, const std::string& no
                {"offset_px", Json::array({surface.offset_px.x(), surface.offset_px.y()})},
                {"maps", std::move(maps)}};
   if (!notes_json.empty()) json["notes"] = Json::parse(notes_json);
-  const fs::path description = output.file("surface.json");
+  const fs::path description = output.file(folder + "surface.json");
   std::ofstream stream(description, std::ios::binary);
   stream << json.dump(2) << "\n";
   stream.close();

@@ -14,9 +14,11 @@ namespace hada {
 /// normal_sigma.exr, height_sigma.exr, each where the surface has it; outside the mask floats are
 /// NaN.
 ///
+/// folder      inside the output, "" or "surface/"
 /// notes_json  the text of a JSON object with what else should be remembered (noise, remarks, ...),
 ///             stored under "notes"; may be empty
-void write_surface(Output& output, const Surface& surface, const std::string& notes_json = "");
+void write_surface(Output& output, const std::string& folder, const Surface& surface,
+                   const std::string& notes_json = "");
 
 /// A surface folder; or a height map (one float channel, in mm where `pitch_mm` is given, else in
 /// px); or a plain picture (anything else), which becomes a linear albedo without a height.

@@ -10,7 +10,7 @@ void demo_command(const DemoArguments& arguments, const Terminal& terminal) {
   const auto recipe_path = arguments.recipe.value_or(std::filesystem::path());
   const Recipe recipe =
       read_recipe(recipe_path.empty() ? shipped_recipe("sheet_and_spheres.json") : recipe_path);
-  WholePathOutput output(arguments.out);
+  Output output(arguments.out);
   const auto folder = arguments.out / "capture";
   terminal.step("photographing " + recipe.name);
   write_capture(folder, virtual_capture(recipe), recipe);

@@ -37,9 +37,9 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
                               .estimator = estimator_named(arguments.estimator)});
 
   const std::string notes = surface_notes(result);
-  write_surface(output, result.surface, notes);
+  write_surface(output, "", result.surface, notes);
   put_text(output, "lights.json", lights_text(lit.lights));
-  put_previews(output, result.surface);
+  put_previews(output, "", result.surface);
   output.commit();
 
   terminal.say(told(lit));

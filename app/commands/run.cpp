@@ -11,7 +11,7 @@ std::string last_name(const std::filesystem::path& path) {
 
 void run_command(const RunArguments& arguments, const Terminal& terminal) {
   material_named(arguments.path.material);  // an unknown name is said before anything is read
-  WholePathOutput output(arguments.out);
+  Output output(arguments.out);
   Photographs photographs = load_folder(arguments.capture, terminal, arguments.pitch_mm);
   LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
   const WholePath path =

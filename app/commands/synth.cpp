@@ -54,8 +54,8 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
 
   const Json notes = {{"material", name_of(file.material)}, {"seed", seed}, {"version", version()}};
   Output output(arguments.out);
-  write_surface(output, surface, notes.dump(1));
-  put_previews(output, surface);
+  write_surface(output, "", surface, notes.dump(1));
+  put_previews(output, "", surface);
   output.commit();
 
   terminal.say(fmt::format("made {} pixels of {} ({:.4g} x {:.4g} {}, seed {})", size_text(extent),

@@ -38,7 +38,7 @@ Surface dome() {
 
 void write(const std::filesystem::path& folder, const Surface& surface) {
   Output output(folder);
-  write_surface(output, surface, R"({"remark": "test"})");
+  write_surface(output, "", surface, R"({"remark": "test"})");
   output.commit();
 }
 
