@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/quantile.h"
+
 namespace hada {
 namespace {
 
@@ -67,9 +69,7 @@ void compare_normals(Overlap& o, const Surface& first, const Surface& second) {
     sum += angles.back();
   }
   o.normal_mean = sum / double(angles.size());
-  const auto middle = angles.begin() + std::ptrdiff_t(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  o.normal_median = *middle;
+  o.normal_median = median(std::move(angles));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "capture/sphere_geometry.h"
 #include "core/parallel.h"
+#include "core/quantile.h"
 
 namespace hada {
 namespace {
@@ -36,12 +37,10 @@ std::vector<DiscPixel> inner_disc(const Grid<float>& grey, const Sphere& sphere)
   return pixels;
 }
 
-float quantile(const std::vector<DiscPixel>& pixels, double share) {
+std::vector<float> values_of(const std::vector<DiscPixel>& pixels) {
   std::vector<float> values;
   for (const auto& pixel : pixels) values.push_back(pixel.value);
-  const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
+  return values;
 }
 
 std::optional<Eigen::Vector3d> reflected(const SphereInSpace& sphere, const Camera& camera,
@@ -80,7 +79,7 @@ std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturate
                                    const Camera& camera, const Sphere& sphere) {
   const auto disc = inner_disc(grey, sphere);
   if (disc.size() < 12) return std::nullopt;
-  const float rest = quantile(disc, 0.5);
+  const float rest = median(values_of(disc));
   const DiscPixel peak = *std::max_element(
       disc.begin(), disc.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   // Halfway up (above the dark reflection of the room) bounds the light's own disc. A small spot is
@@ -93,7 +92,7 @@ std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturate
   const SphereInSpace in_place = in_space(sphere, camera);
   Highlight found;
   found.peak = peak.value;
-  found.prominence = double(peak.value) / std::max(double(quantile(disc, 0.9)), 1e-6);
+  found.prominence = double(peak.value) / std::max(double(quantile(values_of(disc), 0.9)), 1e-6);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   double total = 0.0;

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <opencv2/imgproc.hpp>
 
+#include "capture/bilinear.h"
 #include "capture/opencv_view.h"
 
 namespace hada {
@@ -68,19 +69,6 @@ cv::Mat support(const std::vector<EdgePoint>& points, cv::Size size, double radi
   cv::Mat gathered;
   cv::boxFilter(votes, gathered, CV_32F, {reach, reach}, {-1, -1}, false, cv::BORDER_CONSTANT);
   return gathered / (two_pi * radius);
-}
-
-float bilinear(const Grid<float>& picture, double u, double v) {
-  const double x = std::clamp(u - 0.5, 0.0, picture.cols() - 1.001);
-  const double y = std::clamp(v - 0.5, 0.0, picture.rows() - 1.001);
-  const int col = int(x);
-  const int row = int(y);
-  const float fx = float(x - col);
-  const float fy = float(y - row);
-  const int right = std::min(col + 1, picture.cols() - 1);
-  const int below = std::min(row + 1, picture.rows() - 1);
-  return (1 - fy) * ((1 - fx) * picture(row, col) + fx * picture(row, right)) +
-         fy * ((1 - fx) * picture(below, col) + fx * picture(below, right));
 }
 
 Eigen::Vector2d along(double angle) {

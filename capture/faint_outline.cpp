@@ -1,26 +1,17 @@
 #include "capture/faint_outline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "capture/bilinear.h"
+#include "core/quantile.h"
 
 namespace hada {
 namespace {
 
 constexpr int radii = 240;
-
-double bilinear(const Grid<float>& picture, double u, double v) {
-  const double x = u - 0.5;
-  const double y = v - 0.5;
-  const int col = int(std::floor(x));
-  const int row = int(std::floor(y));
-  const double fx = x - col;
-  const double fy = y - row;
-  return (1 - fy) * ((1 - fx) * picture(row, col) + fx * picture(row, col + 1)) +
-         fy * ((1 - fx) * picture(row + 1, col) + fx * picture(row + 1, col + 1));
-}
 
 // The step across the circle on each radius: the mean over `reach` px outside minus that inside.
 // Radii that leave the picture are left out.
@@ -48,12 +39,6 @@ std::vector<double> steps_across(const Grid<float>& picture, const Eigen::Vector
     steps.push_back(step / samples);
   }
   return steps;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // How much of the circumference steps by about `typical` or more with its sign, less what steps

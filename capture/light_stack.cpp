@@ -9,6 +9,7 @@
 #include "capture/sample_mask.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/quantile.h"
 
 namespace hada {
 namespace {
@@ -60,9 +61,7 @@ double unexplained(Photographs photographs, const std::vector<Light>& lights, bo
   for (std::size_t i = pixels.size() / 2; i < pixels.size(); ++i) {
     shares.push_back(pixels[i].second / std::max(pixels[i].first, 1e-12));
   }
-  std::nth_element(shares.begin(), shares.begin() + std::ptrdiff_t(shares.size() / 2),
-                   shares.end());
-  return shares[shares.size() / 2];
+  return median(std::move(shares));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "capture/sphere_geometry.h"
 #include "core/parallel.h"
+#include "core/quantile.h"
 
 namespace hada {
 namespace {
@@ -49,12 +50,6 @@ std::vector<DiscPoint> disc_points(const Grid<float>& grey, const Mask& saturate
     }
   }
   return points;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // The ambient light is what the side shows that the light does not reach; where all is lit, none.

@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/quantile.h"
 #include "io/image_file.h"
 
 namespace hada {
 namespace {
 
-float high_quantile(Grid<float> values, double share) {
-  const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
+float quantile_of(const Grid<float>& picture, double share) {
+  return quantile(std::vector<float>(picture.begin(), picture.end()), share);
 }
 
 }  // namespace
@@ -24,8 +23,8 @@ Overview overview(const Photographs& photographs) {
     if (!photographs.linear) {
       for (float& value : all.greys.back()) value = linear_from_srgb(value);
     }
-    all.bright.push_back(high_quantile(all.greys.back(), 0.99));
-    all.glint.push_back(high_quantile(all.greys.back(), 1.0));
+    all.bright.push_back(quantile_of(all.greys.back(), 0.99));
+    all.glint.push_back(quantile_of(all.greys.back(), 1.0));
   }
   const int rows = all.greys[0].rows();
   const int cols = all.greys[0].cols();

@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/quantile.h"
+
 namespace hada {
 namespace {
 
@@ -36,10 +38,8 @@ Eigen::MatrixXd lit_values(const LightStack& stack) {
 Eigen::VectorXd best_fitting(const Eigen::MatrixXd& values, const Eigen::MatrixXd& predicted) {
   const Eigen::VectorXd misfit =
       (values - predicted).rowwise().norm().array() / values.rowwise().norm().array().max(1e-12);
-  std::vector<double> sorted(misfit.data(), misfit.data() + misfit.size());
-  const auto limit = sorted.begin() + std::ptrdiff_t(3 * sorted.size() / 4);
-  std::nth_element(sorted.begin(), limit, sorted.end());
-  return (misfit.array() <= *limit).cast<double>();
+  const std::vector<double> misfits(misfit.data(), misfit.data() + misfit.size());
+  return (misfit.array() <= quantile(misfits, 0.75)).cast<double>();
 }
 
 }  // namespace

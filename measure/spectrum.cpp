@@ -8,6 +8,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/bounding_box.h"
 #include "core/error.h"
 #include "core/fft.h"
 #include "core/parallel.h"
@@ -16,24 +17,6 @@ namespace hada {
 namespace {
 
 constexpr int fewest_pixels = 8;  // along each side
-
-struct Box {
-  int row, col, rows, cols;
-};
-
-Box bounding_box(const Mask& mask) {
-  int top = mask.rows(), left = mask.cols(), bottom = -1, right = -1;
-  for (int row = 0; row < mask.rows(); ++row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      top = std::min(top, row);
-      bottom = row;
-      left = std::min(left, col);
-      right = std::max(right, col);
-    }
-  }
-  return {top, left, bottom - top + 1, right - left + 1};
-}
 
 /// Rises as a squared sine from 0 to 1 over `width`, and stays there.
 double ease(double distance, double width) {
@@ -139,7 +122,7 @@ double Spectrum::fy(int row) const {
 Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& extent,
                         const SpectrumOptions& options) {
   assert(map.same_size(mask) && map.rows() == extent.rows && map.cols() == extent.cols);
-  const Box box = bounding_box(mask);
+  const PixelBox box = bounding_box(mask);
   if (box.rows < fewest_pixels || box.cols < fewest_pixels) {
     throw Error("spectrum: the mask is smaller than 8 x 8 pixels; measure a larger sample");
   }

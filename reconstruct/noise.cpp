@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/quantile.h"
 #include "reconstruct/box_sum.h"
 
 namespace hada {
@@ -30,9 +31,7 @@ double typical_noise(const Residuals& residuals) {
     variances.push_back(residuals.squares[i] / (freedom * median_of_chi_squared(freedom)));
   }
   if (variances.empty()) return prior_noise;
-  const auto middle = variances.begin() + std::ptrdiff_t(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  return std::sqrt(std::max(*middle, least_variance));
+  return std::sqrt(std::max(median(std::move(variances)), least_variance));
 }
 
 Grid<float> local_variance(const Residuals& residuals, double noise) {

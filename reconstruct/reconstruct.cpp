@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/bounding_box.h"
 #include "core/error.h"
 #include "reconstruct/height_sigma.h"
 #include "reconstruct/integrate.h"
@@ -23,30 +24,6 @@ constexpr double notable_region = 0.01;         // of the pixels of the mask
 
 std::ptrdiff_t pixels_in(const Mask& mask) {
   return std::count_if(mask.begin(), mask.end(), [](auto inside) { return inside != 0; });
-}
-
-struct Box {
-  int row = 0;
-  int col = 0;
-  int rows = 0;
-  int cols = 0;
-};
-
-Box bounding_box(const Mask& mask) {
-  int top = mask.rows();
-  int left = mask.cols();
-  int bottom = -1;
-  int right = -1;
-  for (int row = 0; row < mask.rows(); ++row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      top = std::min(top, row);
-      bottom = row;
-      left = std::min(left, col);
-      right = std::max(right, col);
-    }
-  }
-  return {top, left, bottom - top + 1, right - left + 1};
 }
 
 // The part of the pictures that holds the sample, before its height is known.
