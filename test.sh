@@ -54,6 +54,8 @@ gcc_closing=$closing
 step "GCC builds everything with sanitizers" build sanitize && tests build-sanitize -LE slow
 step "Clang builds everything" build clang
 
+# What docs/results.md quotes.
+echo "$SECONDS" > build/test_seconds.txt
 echo "$gcc_closing"
 echo "$passed passed, $failed failed"
 ((failed == 0))
