@@ -234,6 +234,7 @@ FoundSpheres find_spheres(const Photographs& photographs) {
   for_each_index(int(circles.size()), [&](int i) {
     candidates[std::size_t(i)] = judged(photographs, views, circles[std::size_t(i)]);
   });
+  if (disc) candidates.front().circle = *disc;  // the owner's word
 
   Selection selection(photographs, views.front());
   const auto& hints = photographs.file.spheres;

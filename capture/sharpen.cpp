@@ -140,7 +140,15 @@ Sphere sharpened_matte(const Photographs& linear, const Sphere& sphere, double r
     best.sigma_px = std::sqrt(clumping * double(pictures) * variance * normal.inverse()(0, 0));
     if (step.norm() < 2e-3) break;
   }
-  return best;
+  // A stand or a contact shadow can pull the rim away: the disc itself must agree with the move.
+  const auto misfit = [&](const Sphere& seen) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < pictures; ++k) {
+      sum += matte_shading(greys[k], linear.saturated[k], camera, seen).misfit;
+    }
+    return sum;
+  };
+  return misfit(best) <= misfit(sphere) ? best : sphere;
 }
 
 }  // namespace hada
