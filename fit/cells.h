@@ -13,6 +13,7 @@ struct Cell {
   double fy = 0.0;
   double power = 0.0;    // mean, unit^4
   double leakage = 0.0;  // power from afar, beyond what a flat spectrum would send, unit^4
+  double noise = 0.0;    // power that is known to be noise of the measurement, unit^4
   int count = 0;         // ordinates; f and -f count once
   /// What tapering the map and averaging over the cell do to an autocovariance: both multiply it
   /// by exp(-(xx dx^2 + 2 xy dx dy + yy dy^2)), 1/unit^2.

@@ -67,7 +67,8 @@ std::vector<Cell> corrected(std::vector<Cell> cells, const Wrinkle<>& wrinkle,
     const double side = cell.fx < 0.0 ? -1.0 : 1.0;  // f and -f hold the same power
     const int row = int(std::lround(-side * cell.fy * extent.height()));
     const int col = int(std::lround(side * cell.fx * extent.width()));
-    cell.correction = std::max(expected((row + extent.rows) % extent.rows, col), 0.0) / model[i];
+    cell.correction =
+        std::max(expected((row + extent.rows) % extent.rows, col), 0.0) / (model[i] - cell.noise);
   }
   return cells;
 }

@@ -48,7 +48,7 @@ std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cel
     }
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
-    sums[i] = sums[i] * cells[i].correction + cells[i].leakage;
+    sums[i] = sums[i] * cells[i].correction + cells[i].leakage + cells[i].noise;
   return sums;
 }
 

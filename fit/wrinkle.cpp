@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.h"
-#include "fit/cells.h"
 #include "fit/goodness.h"
+#include "fit/observe.h"
 #include "fit/sampling.h"
 #include "fit/solve.h"
 #include "fit/whittle.h"
@@ -15,74 +14,14 @@
 namespace hada {
 namespace {
 
-constexpr int fewest_pixels = 32;  // along each side: fewer hold too few ordinates to tell shapes
 constexpr double least_goodness = 1e-3;  // p below which a person is told
-constexpr double safe_reach = 0.6;  // share of Nyquist up to which aliases of anything are small
-constexpr int corrections = 2;      // of the window: each leaves a small share of the error before
+constexpr int corrections = 2;  // of the window: each leaves a small share of the error before
 constexpr double same_rough_cost = 0.5;  // of starts that are on the way to the same place
 constexpr double same_share = 0.02;      // by which the fields of one and the same end may differ
 constexpr int most_groups = 4;           // of starts that are worth the whole spectrum
 constexpr double visible_floor = 0.3;    // share of the lowest power
 constexpr double most_worse = 1.2;       // than before may a refined fit explain the first cells
 constexpr int fewest_per_field = 5;      // cells, so that a refinement has something to go by
-
-/// What the fit looks at.
-struct Observation {
-  Spectrum spectrum;
-  std::vector<Cell> coarse;
-  std::vector<Cell> fine;  // to where aliases may begin
-  std::vector<Cell> full;  // to the Nyquist frequency
-  std::vector<std::string> remarks;
-};
-
-/// Taking off the mean empties frequency 0 alone. A plane takes 6 / pi^2 of the power one step away
-/// with it; a quadratic nearly all of that, and some of it two steps away.
-double steps_emptied_by(const std::string& levelling) {
-  if (levelling == "offset") return 0.5;
-  return levelling == "plane" ? 1.5 : 2.5;
-}
-
-Observation observe(const Surface& surface) {
-  Observation seen;
-  if (!surface.has_height() && surface.albedo.empty()) {
-    throw Error("wrinkle fit: the surface has neither height nor albedo; reconstruct it first");
-  }
-  if (!surface.has_height()) {
-    seen.remarks.push_back(
-        "The surface has no height, so the wrinkles describe its brightness: amplitudes are "
-        "brightness, not lengths.");
-  }
-  const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
-  seen.spectrum = power_spectrum(map, surface.mask, surface.extent);
-  const Extent& box = seen.spectrum.extent;
-  if (box.rows < fewest_pixels || box.cols < fewest_pixels) {
-    throw Error("wrinkle fit: the mask is smaller than 32 x 32 pixels; measure a larger sample");
-  }
-  if (surface.extent.unit == Unit::px) {
-    seen.remarks.push_back("The pitch is unknown: lengths and amplitudes count pixels, not mm.");
-  }
-  const Leakage leaked = leakage(seen.spectrum);
-  const double hole = steps_emptied_by(surface.levelling);
-  seen.full =
-      cells_of(seen.spectrum, leaked, {.empty_steps = hole, .most_leakage = 1.0, .faintest = 0.0});
-  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe_reach});
-  seen.coarse = cells_of(seen.spectrum, leaked,
-                         {.empty_steps = hole,
-                          .reach = safe_reach,
-                          .inner_bins = 10.0,
-                          .growth = 0.12,
-                          .faintest = 1e-6});
-  double highest = 0.0;
-  for (const Cell& cell : seen.fine) highest = std::max(highest, cell.power);
-  if (!(highest > 0.0)) {
-    throw Error("wrinkle fit: the map is flat; there is nothing to fit");
-  }
-  // A cell that is empty to rounding has no logarithm.
-  for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {
-    for (Cell& cell : *cells) cell.power = std::max(cell.power, 1e-25 * highest);
-  }
-  return seen;
-}
 
 /// The same wrinkles as everyone would write them: long >= short, long components first.
 Wrinkle<> canonical(Wrinkle<> wrinkle) {

@@ -1,0 +1,124 @@
+#include "fit/observe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/quantile.h"
+#include "measure/response.h"
+
+namespace hada {
+namespace {
+
+constexpr int fewest_pixels = 32;   // along each side: fewer hold too few ordinates to tell shapes
+constexpr double safe_reach = 0.6;  // share of Nyquist up to which aliases of anything are small
+
+/// Taking off the mean empties frequency 0 alone. A plane takes 6 / pi^2 of the power one step away
+/// with it; a quadratic nearly all of that, and some of it two steps away.
+double steps_emptied_by(const std::string& levelling) {
+  if (levelling == "offset") return 0.5;
+  return levelling == "plane" ? 1.5 : 2.5;
+}
+
+// What pixels and integration leave of the power of a wave. Near Nyquist nothing is left that could
+// be given back.
+double power_left(double fx, double fy, double pitch) {
+  constexpr double least = 0.1;
+  const double amplitude = photographed_amplitude(fx, fy, pitch);
+  return std::max(amplitude * amplitude, least);
+}
+
+void give_back(Spectrum& spectrum) {
+  for (int row = 0; row < spectrum.power.rows(); ++row) {
+    for (int col = 0; col < spectrum.power.cols(); ++col) {
+      spectrum.power(row, col) /=
+          power_left(spectrum.fx(col), spectrum.fy(row), spectrum.extent.pitch);
+    }
+  }
+}
+
+double mean_square(const Grid<float>& values, const Mask& mask) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!mask[i]) continue;
+    sum += double(values[i]) * values[i];
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+// The variance of the slopes that shows as noise: what the fast waves hold, where the wrinkles have
+// faded, but no more than the surface says of its normals (which counts the errors of the lights
+// too, and those are no noise).
+double slope_noise(const Surface& surface, const std::vector<Cell>& cells) {
+  const double pitch = surface.extent.pitch;
+  const double fast = 0.7 * 0.5 / pitch;
+  std::vector<double> variances;
+  for (const Cell& cell : cells) {
+    const double frequency = std::hypot(cell.fx, cell.fy);
+    if (frequency < fast || frequency > 0.5 / pitch) continue;
+    variances.push_back(cell.power * power_left(cell.fx, cell.fy, pitch) /
+                        integrated_noise(cell.fx, cell.fy, pitch));
+  }
+  const double told = mean_square(surface.normal_sigma, surface.mask);
+  return variances.empty() ? 0.0 : std::min(median(std::move(variances)), told);
+}
+
+}  // namespace
+
+Observation observe(const Surface& surface) {
+  Observation seen;
+  if (!surface.has_height() && surface.albedo.empty()) {
+    throw Error("wrinkle fit: the surface has neither height nor albedo; reconstruct it first");
+  }
+  if (!surface.has_height()) {
+    seen.remarks.push_back(
+        "The surface has no height, so the wrinkles describe its brightness: amplitudes are "
+        "brightness, not lengths.");
+  }
+  const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
+  seen.spectrum = power_spectrum(map, surface.mask, surface.extent);
+  const bool photographed = surface.has_height() && !surface.normal_sigma.empty();
+  if (photographed) give_back(seen.spectrum);
+  const Extent& box = seen.spectrum.extent;
+  if (box.rows < fewest_pixels || box.cols < fewest_pixels) {
+    throw Error("wrinkle fit: the mask is smaller than 32 x 32 pixels; measure a larger sample");
+  }
+  if (surface.extent.unit == Unit::px) {
+    seen.remarks.push_back("The pitch is unknown: lengths and amplitudes count pixels, not mm.");
+  }
+  const Leakage leaked = leakage(seen.spectrum);
+  const double hole = steps_emptied_by(surface.levelling);
+  seen.full =
+      cells_of(seen.spectrum, leaked, {.empty_steps = hole, .most_leakage = 1.0, .faintest = 0.0});
+  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe_reach});
+  seen.coarse = cells_of(seen.spectrum, leaked,
+                         {.empty_steps = hole,
+                          .reach = safe_reach,
+                          .inner_bins = 10.0,
+                          .growth = 0.12,
+                          .faintest = 1e-6});
+  if (photographed) {
+    const double variance = slope_noise(surface, seen.full);
+    const double pitch = surface.extent.pitch;
+    for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {
+      for (Cell& cell : *cells) {
+        cell.noise = variance * integrated_noise(cell.fx, cell.fy, pitch) /
+                     power_left(cell.fx, cell.fy, pitch);
+      }
+    }
+  }
+  double highest = 0.0;
+  for (const Cell& cell : seen.fine) highest = std::max(highest, cell.power);
+  if (!(highest > 0.0)) {
+    throw Error("wrinkle fit: the map is flat; there is nothing to fit");
+  }
+  // A cell that is empty to rounding has no logarithm.
+  for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {
+    for (Cell& cell : *cells) cell.power = std::max(cell.power, 1e-25 * highest);
+  }
+  return seen;
+}
+
+}  // namespace hada

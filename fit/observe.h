@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/surface.h"
+#include "fit/cells.h"
+#include "measure/spectrum.h"
+
+namespace hada {
+
+/// What the wrinkle fit looks at.
+struct Observation {
+  Spectrum spectrum;
+  std::vector<Cell> coarse;
+  std::vector<Cell> fine;  // to where aliases may begin
+  std::vector<Cell> full;  // to the Nyquist frequency
+  std::vector<std::string> remarks;
+};
+
+/// The spectrum of a surface in cells of three kinds. For a surface that comes from photographs,
+/// what pixels and integration took from each wave is given back, and the noise of its normals,
+/// which integration turns into slow waves, is known to every cell.
+///
+/// throws  Error if there is nothing to fit, or the mask is smaller than 32 x 32 pixels
+Observation observe(const Surface& surface);
+
+}  // namespace hada
