@@ -145,10 +145,9 @@ std::string truth_section(const WholePath& path) {
   const TruthCheck& truth = *path.truth;
   const auto order = part_order(path.material.material, truth.material);
   const int extra = part_count(path.material.material) - part_count(truth.material);
-  std::string html =
-      "<h2>Against the truth</h2>\n" +
-      paragraph("This capture was made by a virtual camera, so the truth is known. " +
-                escaped(told(truth)) + ".");
+  std::string html = "<h2>Against the truth</h2>\n" +
+                     paragraph("This capture was made by a virtual camera. Measured " +
+                               escaped(told(truth)) + ".");
   if (extra < 0) {
     return html +
            paragraph(fmt::format("The fit found {} components, the truth has {}.",
@@ -180,11 +179,6 @@ std::string advice_section(const WholePath& path) {
     remarks.push_back(
         "The material does not explain the surface fully (see the probability above): look where "
         "the points leave the line, and try another number of components or another material.");
-  }
-  if (!path.material.on_bound.empty()) {
-    remarks.push_back(
-        "A parameter ended on its bound: the sample may be too small or too coarse "
-        "for it. Photograph a larger piece, or from nearer.");
   }
   std::string html = "<h2>If it is not good enough</h2>\n";
   html += remarks.empty() ? paragraph("Nothing in this measurement calls for attention.")
