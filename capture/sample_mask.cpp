@@ -104,8 +104,13 @@ Mask sample_mask(const Grid<float>& brightness, const std::vector<Sphere>& spher
 
   cv::Mat smooth;
   cv::medianBlur(view(brightness), smooth, 3);
+  // The highlight of a chrome sphere in a float picture can be a thousand times as bright as paper.
   float brightest = 0.0f;
-  for (const float value : brightness) brightest = std::max(brightest, value);
+  for (int row = 0; row < rows; ++row) {
+    for (int col = 0; col < cols; ++col) {
+      if (candidates(row, col)) brightest = std::max(brightest, smooth.at<float>(row, col));
+    }
+  }
   const float least = 1e-3f * brightest + 1e-12f;  // what is darker is black
   std::vector<float> logs;
   for (int row = 0; row < rows; ++row) {
