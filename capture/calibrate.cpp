@@ -10,16 +10,13 @@
 #include "capture/chrome_sphere.h"
 #include "capture/find_spheres.h"
 #include "capture/matte_sphere.h"
+#include "capture/refine_lights.h"
 #include "core/error.h"
 
 namespace hada {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 bool is_seen(const Light& light) {
   return std::isfinite(light.direction_sigma);
@@ -81,44 +78,40 @@ Light combined(const std::vector<SphereReading>& readings, std::size_t k) {
     direction += weight * seen.direction;
     weight_sum += weight;
   }
+  light.strength.setOnes();
+  for (const SphereReading& reading : readings) {
+    if (reading.sphere.kind != SphereKind::matte || !is_seen(reading.lights[k])) continue;
+    light.strength.setConstant(reading.lights[k].strength.mean());
+    break;
+  }
   light.direction = direction.normalized();
   light.direction_sigma = weight_sum > 0.0 ? std::sqrt(1.0 / weight_sum) : HUGE_VAL;
   return light;
 }
 
-// Strengths as the first matte sphere that sees every light shows them, scaled to a mean of 1 per
-// channel; returns false if there is none.
-bool take_strengths(std::vector<Light>& lights, const std::vector<SphereReading>& readings) {
+// How a light's colour departs from its grey strength, as the first matte sphere that sees every
+// light shows it: strength of each channel over that of the grey value. All 1 if there is none.
+std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
+                                     std::size_t count) {
+  std::vector<Eigen::Vector3d> colour(count, Eigen::Vector3d::Ones());
   for (const SphereReading& reading : readings) {
     if (reading.sphere.kind != SphereKind::matte ||
         !std::all_of(reading.lights.begin(), reading.lights.end(), is_seen)) {
       continue;
     }
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Light& light : reading.lights) mean += light.strength / double(lights.size());
-    for (std::size_t k = 0; k < lights.size(); ++k) {
-      lights[k].strength = reading.lights[k].strength.cwiseQuotient(mean);
+    for (std::size_t k = 0; k < count; ++k) {
+      colour[k] = reading.lights[k].strength;
+      mean += colour[k] / double(count);
     }
-    return true;
-  }
-  return false;
-}
-
-double mean_disagreement(const std::vector<SphereReading>& readings) {
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t a = 0; a < readings.size(); ++a) {
-    for (std::size_t b = a + 1; b < readings.size(); ++b) {
-      for (std::size_t k = 0; k < readings[a].lights.size(); ++k) {
-        const Light& one = readings[a].lights[k];
-        const Light& other = readings[b].lights[k];
-        if (!is_seen(one) || !is_seen(other)) continue;
-        sum += angle_between(one.direction, other.direction);
-        ++count;
-      }
+    for (auto& channels : colour) {
+      channels = channels.cwiseQuotient(mean);
+      channels /= Eigen::Vector3d(luminance_weight[0], luminance_weight[1], luminance_weight[2])
+                      .dot(channels);
     }
+    break;
   }
-  return count > 0 ? sum / count : 0.0;
+  return colour;
 }
 
 void remark_on(const Calibration& calibration, std::vector<std::string>& remarks) {
@@ -138,10 +131,11 @@ void remark_on(const Calibration& calibration, std::vector<std::string>& remarks
     }
   }
   if (calibration.disagreement > 3.0 * degree) {
-    remarks.push_back(fmt::format(
-        "The spheres disagree by {:.1f} degrees on average: the lights may be near, or the camera "
-        "perspective; say so in capture.json.",
-        calibration.disagreement / degree));
+    remarks.push_back(
+        fmt::format("The spheres disagree by {:.1f} degrees on average: one may be no sphere, may "
+                    "have moved, or "
+                    "its outline is off; look at them in the report.",
+                    calibration.disagreement / degree));
   }
 }
 
@@ -174,11 +168,20 @@ Calibration calibrate(const Photographs& given) {
       throw Error(linear.file.pictures[k].file.string() +
                   ": its light is seen on no sphere; leave the picture out or light the sphere");
     }
-    light.strength.setOnes();
     calibration.lights.push_back(light);
   }
-  calibration.strengths_measured = take_strengths(calibration.lights, calibration.readings);
-  calibration.disagreement = mean_disagreement(calibration.readings);
+  const auto refined = refined_lights(linear, calibration.readings, calibration.lights);
+  const auto colour = colours(calibration.readings, linear.images.size());
+  calibration.lights = refined.lights;
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    calibration.lights[k].strength = calibration.lights[k].strength.cwiseProduct(colour[k]);
+  }
+  for (std::size_t s = 0; s < calibration.readings.size(); ++s) {
+    calibration.readings[s].lights = refined.seen[s];
+  }
+  calibration.errors = refined.errors;
+  calibration.strengths_measured = refined.strengths_measured;
+  calibration.disagreement = refined.disagreement;
   remark_on(calibration, calibration.remarks);
   return calibration;
 }

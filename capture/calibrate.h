@@ -25,6 +25,7 @@ struct Calibration {
   bool linear = true;                   // how the pictures were read
   bool encoding_known = true;           // false: `linear` is an assumption; see settle_encoding
   bool strengths_measured = true;       // false: all 1; see balance_strengths
+  std::vector<LightErrorMode> errors;   // how the lights may be wrong together
   std::vector<std::string> remarks;     // plain sentences
 };
 

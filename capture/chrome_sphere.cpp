@@ -45,10 +45,9 @@ std::vector<float> values_of(const std::vector<DiscPixel>& pixels) {
 
 std::optional<Eigen::Vector3d> reflected(const SphereInSpace& sphere, const Camera& camera,
                                          double u, double v) {
-  const auto normal = sphere.normal_at(camera, u, v);
-  if (!normal) return std::nullopt;
-  const Eigen::Vector3d way = camera.ray(u, v).direction;
-  return (way - 2.0 * way.dot(*normal) * *normal).normalized();
+  const auto seen = mirrored<double>(camera.ray(u, v), sphere.center, sphere.radius);
+  if (!seen) return std::nullopt;
+  return seen->direction;
 }
 
 // The bright pixels that hang together with `peak`.

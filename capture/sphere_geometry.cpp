@@ -6,15 +6,9 @@ namespace hada {
 
 std::optional<Eigen::Vector3d> SphereInSpace::normal_at(const Camera& camera, double u,
                                                         double v) const {
-  Ray ray = camera.ray(u, v);
-  // An orthographic ray starts on the table; a sphere is met from far above.
-  if (camera.model == Camera::Model::orthographic) ray.origin.z() = center.z() + 2.0 * radius;
-  const Eigen::Vector3d to_center = center - ray.origin;
-  const double along = to_center.dot(ray.direction);
-  const double reach = radius * radius - (to_center.squaredNorm() - along * along);
-  if (reach < 0.0) return std::nullopt;
-  const Eigen::Vector3d point = ray.origin + (along - std::sqrt(reach)) * ray.direction;
-  return (point - center) / radius;
+  const auto hit = first_hit<double>(camera.ray(u, v), center, radius);
+  if (!hit) return std::nullopt;
+  return hit->normal;
 }
 
 Sphere outline(const SphereInSpace& sphere, const Camera& camera) {

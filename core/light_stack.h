@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,16 +22,32 @@ struct Light {
   std::optional<Eigen::Vector3d> position;  // of a near light, in extent.unit
 };
 
-/// Direction times strength (one channel) of the light that arrives at `point`.
+/// What arrives at `point` from a lamp of strength 1: towards the lamp, as long as the irradiance.
 ///
-/// A near light falls off with the square of its distance and has its nominal strength at the
-/// origin of the frame; a distant one is the same everywhere.
-inline Eigen::Vector3d arriving(const Light& light, int channel, const Eigen::Vector3d& point) {
-  const double strength = light.strength[channel];
-  if (!light.position) return strength * light.direction;
-  const Eigen::Vector3d way = *light.position - point;
-  return strength * light.position->squaredNorm() / way.squaredNorm() * way.normalized();
+/// The lamp lies in the unit `direction` from the origin of the frame, 1 / `inverse_distance` away
+/// (0: infinitely far). Light falls off with the square of the distance and is 1 at the origin:
+/// with P = direction / inverse_distance, |P|^2 (P - x) / |P - x|^3. T is double or a Jet.
+template <class T>
+Eigen::Matrix<T, 3, 1> arriving(const Eigen::Matrix<T, 3, 1>& direction, const T& inverse_distance,
+                                const Eigen::Matrix<T, 3, 1>& point) {
+  using std::sqrt;
+  const Eigen::Matrix<T, 3, 1> way = direction - inverse_distance * point;
+  const T square = way.squaredNorm();
+  return way / (square * sqrt(square));
 }
+
+/// Direction times strength (one channel) of the light that arrives at `point`.
+inline Eigen::Vector3d arriving(const Light& light, int channel, const Eigen::Vector3d& point) {
+  if (!light.position) return light.strength[channel] * light.direction;
+  const double distance = light.position->norm();
+  const Eigen::Vector3d direction = *light.position / distance;
+  return light.strength[channel] * arriving<double>(direction, 1.0 / distance, point);
+}
+
+/// One way in which all lights may be wrong together: what one standard deviation of it adds to
+/// direction times strength of each, as it arrives at the sample. Modes are independent of each
+/// other.
+using LightErrorMode = std::vector<Eigen::Vector3d>;
 
 /// What became of the light of one picture at one pixel.
 enum class Sample : std::uint8_t { lit, shadowed, saturated };
@@ -39,11 +56,12 @@ enum class Sample : std::uint8_t { lit, shadowed, saturated };
 ///
 /// Dark and ambient removed, one size, values in [0, 1] where 1 is the largest the file could hold.
 struct LightStack {
-  Camera camera;                      // its extent is the extent of the pictures
-  std::vector<Image> images;          // all with one or all with three planes
-  std::vector<Light> lights;          // one for each image
-  std::vector<Grid<Sample>> samples;  // one for each image
-  Mask mask;                          // the sample (not the spheres, not the table)
+  Camera camera;                             // its extent is the extent of the pictures
+  std::vector<Image> images;                 // all with one or all with three planes
+  std::vector<Light> lights;                 // one for each image
+  std::vector<LightErrorMode> light_errors;  // empty: each direction_sigma stands for itself
+  std::vector<Grid<Sample>> samples;         // one for each image
+  Mask mask;                                 // the sample (not the spheres, not the table)
 
   const Extent& extent() const { return camera.extent; }
 };

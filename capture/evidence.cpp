@@ -1,0 +1,154 @@
+#include "capture/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "capture/chrome_sphere.h"
+#include "capture/sample_mask.h"
+#include "capture/sphere_geometry.h"
+#include "capture/thrown_light.h"
+#include "core/quantile.h"
+
+namespace hada {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double rim = 0.95;  // of the radius: further out a pixel may be half table
+// Enough for errors far below those of the outlines; more would only cost time.
+constexpr double most_values = 12000.0;
+
+std::vector<Grid<float>> greys_of(const Photographs& linear) {
+  std::vector<Grid<float>> greys;
+  for (const Image& image : linear.images) greys.push_back(luminance(image));
+  return greys;
+}
+
+// Pixels on a square lattice, about `count` of them on an area of `area_px`.
+int stride_for(double area_px, double count) {
+  return std::max(1, int(std::lround(std::sqrt(area_px / std::max(count, 50.0)))));
+}
+
+MatteEvidence matte_evidence(const Photographs& linear, const std::vector<Grid<float>>& greys,
+                             const std::vector<SphereReading>& readings, std::size_t which,
+                             double count) {
+  const Sphere& sphere = readings[which].sphere;
+  const SphereInSpace in_place = in_space(sphere, linear.camera);
+  const double reach = rim * sphere.radius_px;
+  const int stride = stride_for(3.1416 * reach * reach, count);
+  MatteEvidence seen;
+  seen.sphere = which;
+  seen.values.resize(greys.size());
+  std::vector<Hit<double>> hits;
+  const Extent& extent = linear.camera.extent;
+  for (int row = int(sphere.center_px.y() - reach); row <= sphere.center_px.y() + reach;
+       row += stride) {
+    for (int col = int(sphere.center_px.x() - reach); col <= sphere.center_px.x() + reach;
+         col += stride) {
+      const Eigen::Vector2d at(col + 0.5, row + 0.5);
+      if (row < 0 || col < 0 || row >= extent.rows || col >= extent.cols) continue;
+      if ((at - sphere.center_px).norm() > reach) continue;
+      const Ray ray = linear.camera.ray(at.x(), at.y());
+      const auto hit = first_hit<double>(ray, in_place.center, in_place.radius);
+      if (!hit) continue;
+      seen.rays.push_back(ray);
+      seen.places.push_back((at - sphere.center_px) / sphere.radius_px);
+      hits.push_back(*hit);
+      for (std::size_t k = 0; k < greys.size(); ++k) {
+        seen.values[k].push_back(linear.saturated[k](row, col) ? unknown : greys[k](row, col));
+      }
+    }
+  }
+  std::vector<Sphere> spheres;
+  for (const auto& reading : readings) spheres.push_back(reading.sphere);
+  seen.thrown = thrown_light(greys, linear.camera, spheres, hits);
+  return seen;
+}
+
+void add_chrome(const Photographs& linear, const std::vector<SphereReading>& readings,
+                std::size_t which, std::vector<ChromeEvidence>& evidence) {
+  const SphereReading& reading = readings[which];
+  const SphereInSpace in_place = in_space(reading.sphere, linear.camera);
+  for (std::size_t k = 0; k < reading.lights.size(); ++k) {
+    if (!std::isfinite(reading.lights[k].direction_sigma)) continue;
+    const Eigen::Vector2d at = reading.highlights_px[k];
+    ChromeEvidence seen{which, k, linear.camera.ray(at.x(), at.y()), Eigen::Vector3d::Zero(), 0.0};
+    const auto middle = mirrored<double>(seen.ray, in_place.center, in_place.radius);
+    if (!middle) continue;
+    seen.offset = reading.lights[k].direction - middle->direction;
+    // The reading's sigma holds the outline's share, which the joint fit treats by itself.
+    const double outline = 2.0 * reading.sphere.sigma_px / reading.sphere.radius_px;
+    const double sigma = reading.lights[k].direction_sigma;
+    seen.sigma = std::sqrt(std::max(sigma * sigma - outline * outline, 1e-8));
+    evidence.push_back(seen);
+  }
+}
+
+SheetEvidence sheet_evidence(const Photographs& linear, const std::vector<Grid<float>>& greys,
+                             const Mask& mask, double count) {
+  SheetEvidence sheet;
+  const auto area = std::count(mask.begin(), mask.end(), 1);
+  if (area == 0) return sheet;
+  const int stride = stride_for(double(area), count);
+  for (int row = stride / 2; row < mask.rows(); row += stride) {
+    for (int col = stride / 2; col < mask.cols(); col += stride) {
+      if (!mask(row, col)) continue;
+      std::vector<double> values;
+      for (const auto& grey : greys) values.push_back(grey(row, col));
+      // What is far darker than the rest lies in a shadow, which a matte sheet cannot explain.
+      const double dark = 0.15 * median(values);
+      for (std::size_t k = 0; k < greys.size(); ++k) {
+        if (linear.saturated[k](row, col) || values[k] < dark) values[k] = unknown;
+      }
+      const auto known = std::count_if(values.begin(), values.end(),
+                                       [](double value) { return !std::isnan(value); });
+      if (known < 4) continue;  // albedo and normal take three
+      const Eigen::Vector2d place = linear.camera.extent.place(row, col);
+      sheet.points.emplace_back(place.x(), place.y(), 0.0);
+      sheet.center += sheet.points.back();
+      sheet.values.push_back(std::move(values));
+    }
+  }
+  if (!sheet.points.empty()) sheet.center /= double(sheet.points.size());
+  return sheet;
+}
+
+Mask sheet_mask(const Photographs& linear, const std::vector<Grid<float>>& greys,
+                const std::vector<SphereReading>& readings) {
+  std::vector<Sphere> spheres;
+  for (const auto& reading : readings) spheres.push_back(reading.sphere);
+  if (!linear.mask.empty()) {
+    // The mask of a folder of a ball alone is the ball: no sample beside it.
+    const auto at = spheres.front().center_px;
+    const bool is_ball = linear.mask(int(at.y()), int(at.x())) != 0;
+    return is_ball ? Mask(linear.mask.rows(), linear.mask.cols(), 0) : linear.mask;
+  }
+  Grid<float> mean(greys[0].rows(), greys[0].cols());
+  for (const auto& grey : greys) {
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += grey[i] / float(greys.size());
+  }
+  return sample_mask(mean, spheres, linear.file.sample_box);
+}
+
+}  // namespace
+
+Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings) {
+  const auto greys = greys_of(linear);
+  const double count = std::min(1200.0, most_values / double(greys.size()));
+  Evidence all;
+  for (std::size_t which = 0; which < readings.size(); ++which) {
+    if (readings[which].sphere.kind == SphereKind::matte) {
+      all.matte.push_back(matte_evidence(linear, greys, readings, which, count));
+    } else {
+      add_chrome(linear, readings, which, all.chrome);
+    }
+  }
+  const Mask mask = sheet_mask(linear, greys, readings);
+  constexpr std::size_t fewest_lights = 5;  // with four and less a sheet agrees to nearly anything
+  if (greys.size() >= fewest_lights && !mask.empty()) {
+    all.sheet = sheet_evidence(linear, greys, mask, count);
+  }
+  return all;
+}
+
+}  // namespace hada

@@ -1,0 +1,119 @@
+#include "capture/refine_lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "capture/evidence.h"
+#include "capture/joint_fit.h"
+#include "capture/light_covariance.h"
+#include "core/quantile.h"
+
+namespace hada {
+namespace {
+
+// The typical nearness of the lamps: half the picture's diagonal over the distance.
+double nearness(const JointState& state, double half) {
+  std::vector<double> all;
+  for (const LightState& light : state.lights) all.push_back(light.inverse_distance * half);
+  return median(std::move(all));
+}
+
+// Beyond a hundred times the half diagonal the direction changes by half a degree at most.
+constexpr double notable_nearness = 0.01;
+
+struct Settled {
+  JointState state;
+  LampModel model = LampModel::distant;
+};
+
+// Distant lamps first; then the distances are let go, and kept where they matter.
+Settled settled(const Evidence& all, JointState state, const Camera& camera) {
+  descend(state, all, LampModel::distant, 3);
+  const double half = 0.5 * std::hypot(camera.extent.width(), camera.extent.height());
+  constexpr double first_nearness = 0.05;  // anything that is not 0: the strengths then follow
+  JointState near = state;
+  for (LightState& light : near.lights) light.inverse_distance = first_nearness / half;
+  descend(near, all, LampModel::near, 1);
+  if (nearness(near, half) < notable_nearness) return {state, LampModel::distant};
+  descend(near, all, LampModel::near, 3);
+  if (nearness(near, half) < notable_nearness) return {state, LampModel::distant};
+  return {near, LampModel::near};
+}
+
+// Directions of independent errors, the largest first, until hardly anything is left.
+std::vector<LightErrorMode> modes_of(const Eigen::MatrixXd& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+  const double total = solver.eigenvalues().sum();
+  std::vector<LightErrorMode> modes;
+  double left = total;
+  constexpr double negligible = 0.01;
+  for (Eigen::Index i = covariance.rows() - 1; i >= 0 && left > negligible * total; --i) {
+    const double variance = std::max(0.0, solver.eigenvalues()[i]);
+    left -= variance;
+    LightErrorMode mode;
+    for (Eigen::Index k = 0; k < covariance.rows() / 3; ++k) {
+      mode.push_back(std::sqrt(variance) * solver.eigenvectors().col(i).segment<3>(3 * k));
+    }
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+// The standard deviation of a light's direction along a tangent axis.
+double direction_sigma(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& direction,
+                       double length) {
+  const double across = covariance.trace() - direction.dot(covariance * direction);
+  return std::sqrt(std::max(0.0, 0.5 * across)) / length;
+}
+
+}  // namespace
+
+RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
+                             const std::vector<Light>& lights) {
+  const Evidence all = evidence(linear, readings);
+  auto [state, model] =
+      settled(all, first_state(all, readings, lights, linear.camera), linear.camera);
+  const Eigen::MatrixXd covariance = arriving_covariance(state, all, model, all.sheet.center);
+  RefinedLights refined;
+  refined.near = model == LampModel::near;
+  refined.strengths_measured = !all.matte.empty() || !all.sheet.points.empty();
+  refined.lights = lights;
+  double mean = 0.0;
+  for (const LightState& light : state.lights) {
+    mean += arriving_at(light, all.sheet.center).norm() / double(lights.size());
+  }
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    Light& light = refined.lights[k];
+    const LightState& found = state.lights[k];
+    const Eigen::Vector3d arriving = arriving_at(found, all.sheet.center);
+    light.direction = arriving.normalized();
+    light.strength.setConstant(std::exp(found.log_strength));
+    light.position.reset();
+    if (refined.near) {
+      light.position =
+          Eigen::Map<const Eigen::Vector3d>(found.direction.data()) / found.inverse_distance;
+    }
+    const auto at = Eigen::Index(3 * k);
+    light.direction_sigma =
+        direction_sigma(covariance.block<3, 3>(at, at), light.direction, arriving.norm() / mean);
+  }
+  refined.errors = modes_of(covariance);
+  refined.seen.resize(readings.size());
+  for (std::size_t which = 0; which < readings.size(); ++which) {
+    refined.seen[which] = readings[which].lights;
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      Light& light = refined.seen[which][k];
+      if (!std::isfinite(light.direction_sigma)) continue;
+      light.direction = own_direction(state, all, which, k);
+    }
+  }
+  refined.disagreement = disagreement(state, refined.seen);
+  for (const MatteEvidence& seen : all.matte) {
+    refined.reflectance = std::max(refined.reflectance, state.spheres[seen.sphere].surface[1]);
+  }
+  return refined;
+}
+
+}  // namespace hada

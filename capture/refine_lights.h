@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "capture/calibrate.h"
+#include "capture/load.h"
+
+namespace hada {
+
+/// The lights that agree best with all spheres and with the sample at once.
+struct RefinedLights {
+  std::vector<Light> lights;             // direction as seen from the middle of the sample
+  std::vector<LightErrorMode> errors;    // how they may be wrong together
+  std::vector<std::vector<Light>> seen;  // for each sphere: what it alone says, at its own place
+  double disagreement = 0.0;             // mean angle between what two spheres say, radians
+  double reflectance = 0.0;              // of the matte spheres for light thrown by the sheet
+  bool near = false;                     // whether the lamps have a position
+  bool strengths_measured = true;        // false: neither a matte sphere nor a sample shows them
+};
+
+/// One least-squares problem over directions, strengths and, for near lamps, distances; over place
+/// and radius of every sphere, held by its outline; over the reflectance of matte spheres for light
+/// that the sample throws at them; and over albedo and normal of some pixels of the sample.
+///
+/// Lamps are taken to be near where the evidence puts them nearer than a hundred times half the
+/// picture's diagonal, all together.
+///
+/// linear    the photographs, with linear values
+/// readings  each sphere by itself
+/// lights    the readings combined: where the descent starts; strengths in grey
+RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
+                             const std::vector<Light>& lights);
+
+}  // namespace hada
