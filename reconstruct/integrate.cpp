@@ -83,9 +83,11 @@ Grid<float> integrate(const NormalMap& normals, const Mask& mask, double pitch,
                       const IntegrateOptions& options) {
   assert(normals.same_size(mask) && pitch > 0.0);
   require_pixels(mask);
-  Grid<float> height = SlopeSolver(mask).height(slopes_of(normals, mask),
-                                                options.relative_tolerance, options.max_iterations);
+  const SlopeMap slopes = slopes_of(normals, mask, options.pin_hole);
+  Grid<float> height =
+      SlopeSolver(mask).height(slopes, options.relative_tolerance, options.max_iterations);
   for (float& value : height) value = float(value * pitch);
+  if (options.pin_hole) height_from_log_depth(height, options.pin_hole->focal_px.x() * pitch);
   return height;
 }
 

@@ -107,7 +107,8 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   Surface& surface = result.surface;
   surface = cropped(found, stack.extent());
   const double pitch = surface.extent.pitch;
-  surface.height = integrate(surface.normals, surface.mask, pitch);
+  surface.height = integrate(surface.normals, surface.mask, pitch,
+                             {.pin_hole = pin_hole_of(stack.camera, surface.offset_px)});
   level(surface.height, surface.mask, options.levelling);
   surface.levelling = name_of(options.levelling);
   surface.height_sigma =

@@ -47,19 +47,6 @@ Padded right_hand_side(const PixelGraph& graph, const SlopeMap& slopes) {
 
 }  // namespace
 
-SlopeMap slopes_of(const NormalMap& normals, const Mask& mask) {
-  SlopeMap slopes(mask.rows(), mask.cols(), Eigen::Vector2f::Zero());
-  for_each_index(mask.rows(), [&](int row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      const Eigen::Vector3f& normal = normals(row, col);
-      assert(normal.z() > 0.0f);
-      slopes(row, col) = -normal.head<2>() / normal.z();
-    }
-  });
-  return slopes;
-}
-
 SlopeSolver::SlopeSolver(const Mask& mask) : multigrid_(mask), regions_(regions_of(mask)) {}
 
 void SlopeSolver::subtract_region_means(Padded& value) const {

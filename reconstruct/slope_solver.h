@@ -2,19 +2,12 @@
 
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/surface.h"
 #include "reconstruct/multigrid.h"
 #include "reconstruct/regions.h"
+#include "reconstruct/slopes.h"
 
 namespace hada {
-
-/// Slopes dz/dx and dz/dy of a height, y up.
-using SlopeMap = Grid<Eigen::Vector2f>;
-
-/// The slopes of unit normals with z > 0; 0 outside the mask.
-SlopeMap slopes_of(const NormalMap& normals, const Mask& mask);
 
 /// Least-squares heights over one mask, for as many slope maps as one likes.
 ///

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/camera.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "reconstruct/regions.h"
@@ -52,6 +53,43 @@ TEST(Integrate, GivesTheHeightInTheUnitOfThePitch) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     ASSERT_NEAR(millimetres[i], 0.25f * pixels[i], 1e-6f);
   }
+}
+
+TEST(Integrate, UndoesPerspective) {
+  // A sphere that touches the table from below, met by the ray through every pixel.
+  const double distance = 300.0;
+  const double radius = 150.0;
+  const double pitch = 0.5;
+  const Camera camera{.extent = {.rows = 160, .cols = 200, .pitch = pitch},
+                      .model = Camera::Model::perspective,
+                      .focal_px = distance / pitch};
+  Grid<double> height(160, 200);
+  NormalMap normals(160, 200, Eigen::Vector3f::UnitZ());
+  const Eigen::Vector3d middle(0.0, 0.0, -radius);
+  for (int row = 0; row < 160; ++row) {
+    for (int col = 0; col < 200; ++col) {
+      const Ray ray = camera.ray(col + 0.5, row + 0.5);
+      const Eigen::Vector3d to = ray.origin - middle;
+      const double along = -to.dot(ray.direction);
+      const double t = along - std::sqrt(along * along - to.squaredNorm() + radius * radius);
+      height(row, col) = ray.origin.z() + t * ray.direction.z();
+      normals(row, col) = ((to + t * ray.direction) / radius).cast<float>();
+    }
+  }
+  // A part off the axis. The true scene is scaled about the pin-hole to a mean log depth of zero.
+  const NormalMap part = crop(normals, 20, 30, 120, 150);
+  Grid<double> truth = crop(height, 20, 30, 120, 150);
+  double mean = 0.0;
+  for (const double z : truth) mean += std::log(1.0 - z / distance) / double(truth.size());
+  for (double& z : truth) z = distance - (distance - z) / std::exp(mean);
+  const Mask mask(120, 150, 1);
+  const auto found = integrate(part, mask, pitch, {.pin_hole = pin_hole_of(camera, {30, 20})});
+  // Trapezoidal steps err, added up, by the change of pitch^2 / 12 times the second derivative of
+  // w; which is about -1 / radius, twice that in the corner.
+  const double steps = pitch * pitch / 12.0 / radius;
+  EXPECT_LT(rms_difference(found, truth, mask), steps);
+  // What it is good for:
+  EXPECT_GT(rms_difference(integrate(part, mask, pitch), truth, mask), 100.0 * steps);
 }
 
 TEST(Integrate, AgreesWithPlainConjugateGradientsOnTornMasks) {

@@ -29,12 +29,5 @@ TEST(SlopeSolver, SettlesInAFewIterationsAtAnySize) {
   }
 }
 
-TEST(SlopesOf, PointUphillWithYUp) {
-  const NormalMap normals(1, 1, Eigen::Vector3f(-0.3f, 0.2f, 1.0f).normalized());
-  const Eigen::Vector2f slope = slopes_of(normals, Mask(1, 1, 1))(0, 0);
-  EXPECT_NEAR(slope.x(), 0.3f, 1e-6f);
-  EXPECT_NEAR(slope.y(), -0.2f, 1e-6f);
-}
-
 }  // namespace
 }  // namespace hada

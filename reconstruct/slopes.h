@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/camera.h"
+#include "core/surface.h"
+
+namespace hada {
+
+/// Slopes dz/dx and dz/dy of a height, y up.
+using SlopeMap = Grid<Eigen::Vector2f>;
+
+/// A pin-hole camera, in pixels of a normal map.
+struct PinHole {
+  Eigen::Vector2d focal_px;  // along u and v, > 0
+  Eigen::Vector2d
+      centre_px;  // (u, v) of the optical axis, the centre of the first pixel (0.5, 0.5)
+};
+
+/// The pin-hole of `camera` for the part of its picture that begins at pixel `offset_px` (u, v);
+/// nothing for an orthographic one.
+std::optional<PinHole> pin_hole_of(const Camera& camera, const Eigen::Vector2i& offset_px);
+
+/// The slopes of unit normals with z > 0; 0 outside the mask.
+///
+/// With a pin-hole they are those of w = -D log(1 - z / D), D = focal_px.x() * pitch, by the place
+/// (x, y) of a pixel on the plane z = 0. From n . dP = 0 with P = (1 - z / D) (x, y, -D) + (0, 0,
+/// D):
+///
+///     dw/dx = -nx / m,  dw/dy = -ny / m,  m = nz - (nx x + ny y) / D
+///
+/// so w is found as a height is. A normal with m < 0.02, all but hidden from the pin-hole, counts
+/// as m = 0.02.
+SlopeMap slopes_of(const NormalMap& normals, const Mask& mask,
+                   const std::optional<PinHole>& pin_hole = {});
+
+/// z = D (1 - exp(-w / D)), in place, for w, z and D in one unit.
+void height_from_log_depth(Grid<float>& w, double distance);
+
+}  // namespace hada
