@@ -188,7 +188,7 @@ std::vector<Circle> circle_candidates(const Grid<float>& picture, const CircleSe
         const float share = votes.at<float>(row, col);
         if (share < 0.3f || share < highest.at<float>(row, col)) continue;
         found.push_back({Eigen::Vector2d((col + 0.5) / scale, (row + 0.5) / scale), radius / scale,
-                         share, 0.0});
+                         share, 0.0, 0.0});
       }
     }
   }
@@ -213,12 +213,12 @@ Circle refined(const Grid<float>& picture, const Circle& start, double window) {
   Circle circle = start;
   for (const double share : {window, 0.5 * window, std::max(3.0 / start.radius, 0.25 * window)}) {
     const auto points = steepest_points(picture, circle, share, radii);
-    if (int(points.size()) < radii / 4) return {start.center, start.radius, 0.0, 0.0};
+    if (int(points.size()) < radii / 4) return {start.center, start.radius, 0.0, 0.0, 0.0};
     const Circle next = fitted_circle(points, circle, radii);
     const bool sane = std::isfinite(next.radius) && next.radius > 0.5 * start.radius &&
                       next.radius < 2.0 * start.radius &&
                       (next.center - start.center).norm() < start.radius;
-    if (!sane) return {start.center, start.radius, 0.0, 0.0};
+    if (!sane) return {start.center, start.radius, 0.0, 0.0, 0.0};
     circle = next;
   }
   if (circle.coverage < 0.25) circle.coverage = 0.0;

@@ -14,6 +14,7 @@ struct Circle {
   double radius = 0.0;
   double coverage = 0.0;  // share of its circumference on which an edge was seen, 0 to 1
   double scatter = 0.0;   // root mean square distance of those edge points from it, px
+  double sigma = 0.0;     // standard deviation of centre and radius, px; 0: by the scatter
 };
 
 struct CircleSearch {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "capture/chrome_sphere.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double rim = 0.95;  // of the radius: further out a pixel may be half table
 // Enough for errors far below those of the outlines; more would only cost time.
-constexpr double most_values = 12000.0;
+constexpr double most_values = 7000.0;
 
 std::vector<Grid<float>> greys_of(const Photographs& linear) {
   std::vector<Grid<float>> greys;
@@ -29,13 +30,44 @@ int stride_for(double area_px, double count) {
   return std::max(1, int(std::lround(std::sqrt(area_px / std::max(count, 50.0)))));
 }
 
+// The mean over the square of `side` pixels in the middle of which (row, col) lies: light adds up,
+// so a mean is as good as a pixel and less noisy. NaN if any of them is saturated.
+double mean_around(const Grid<float>& grey, const Mask& saturated, int row, int col, int side) {
+  double sum = 0.0;
+  int count = 0;
+  for (int r = row - side / 2; r < row - side / 2 + side; ++r) {
+    for (int c = col - side / 2; c < col - side / 2 + side; ++c) {
+      if (!grey.contains(r, c)) continue;
+      if (saturated(r, c)) return unknown;
+      sum += grey(r, c);
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+// The mean of the normals over a square of `side` pixels around the image point `at`.
+Eigen::Vector3d mean_normal(const SphereInSpace& sphere, const Camera& camera,
+                            const Eigen::Vector2d& at, int side) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const Eigen::Vector2d off(i - 0.5 * (side - 1), j - 0.5 * (side - 1));
+      const auto normal = sphere.normal_at(camera, at.x() + off.x(), at.y() + off.y());
+      if (normal) sum += *normal;
+    }
+  }
+  return sum / (side * side);
+}
+
 MatteEvidence matte_evidence(const Photographs& linear, const std::vector<Grid<float>>& greys,
                              const std::vector<SphereReading>& readings, std::size_t which,
                              double count) {
   const Sphere& sphere = readings[which].sphere;
   const SphereInSpace in_place = in_space(sphere, linear.camera);
-  const double reach = rim * sphere.radius_px;
+  double reach = rim * sphere.radius_px;
   const int stride = stride_for(3.1416 * reach * reach, count);
+  reach -= 0.5 * (stride - 1);
   MatteEvidence seen;
   seen.sphere = which;
   seen.values.resize(greys.size());
@@ -45,7 +77,9 @@ MatteEvidence matte_evidence(const Photographs& linear, const std::vector<Grid<f
        row += stride) {
     for (int col = int(sphere.center_px.x() - reach); col <= sphere.center_px.x() + reach;
          col += stride) {
-      const Eigen::Vector2d at(col + 0.5, row + 0.5);
+      // The middle of a square of an even number of pixels lies on their border.
+      const double middle = stride % 2 == 0 ? 0.0 : 0.5;
+      const Eigen::Vector2d at(col + middle, row + middle);
       if (row < 0 || col < 0 || row >= extent.rows || col >= extent.cols) continue;
       if ((at - sphere.center_px).norm() > reach) continue;
       const Ray ray = linear.camera.ray(at.x(), at.y());
@@ -54,8 +88,9 @@ MatteEvidence matte_evidence(const Photographs& linear, const std::vector<Grid<f
       seen.rays.push_back(ray);
       seen.places.push_back((at - sphere.center_px) / sphere.radius_px);
       hits.push_back(*hit);
+      seen.bends.push_back(mean_normal(in_place, linear.camera, at, stride) - hit->normal);
       for (std::size_t k = 0; k < greys.size(); ++k) {
-        seen.values[k].push_back(linear.saturated[k](row, col) ? unknown : greys[k](row, col));
+        seen.values[k].push_back(mean_around(greys[k], linear.saturated[k], row, col, stride));
       }
     }
   }
@@ -84,32 +119,51 @@ void add_chrome(const Photographs& linear, const std::vector<SphereReading>& rea
   }
 }
 
+Eigen::Vector3d middle_of(const Mask& mask, const Extent& extent) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0.0;
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      sum.head<2>() += extent.place(row, col);
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
 SheetEvidence sheet_evidence(const Photographs& linear, const std::vector<Grid<float>>& greys,
                              const Mask& mask, double count) {
   SheetEvidence sheet;
   const auto area = std::count(mask.begin(), mask.end(), 1);
   if (area == 0) return sheet;
   const int stride = stride_for(double(area), count);
+  const int side = std::min(3, stride) / 2 * 2 + 1;  // shadows are narrow
   for (int row = stride / 2; row < mask.rows(); row += stride) {
     for (int col = stride / 2; col < mask.cols(); col += stride) {
       if (!mask(row, col)) continue;
       std::vector<double> values;
-      for (const auto& grey : greys) values.push_back(grey(row, col));
-      // What is far darker than the rest lies in a shadow, which a matte sheet cannot explain.
-      const double dark = 0.15 * median(values);
       for (std::size_t k = 0; k < greys.size(); ++k) {
-        if (linear.saturated[k](row, col) || values[k] < dark) values[k] = unknown;
+        values.push_back(mean_around(greys[k], linear.saturated[k], row, col, side));
+      }
+      // What is far darker than the rest lies in a shadow, which a matte sheet cannot explain.
+      std::vector<double> seen;
+      std::copy_if(values.begin(), values.end(), std::back_inserter(seen),
+                   [](double value) { return !std::isnan(value); });
+      if (seen.empty()) continue;
+      const double dark = 0.15 * median(std::move(seen));
+      for (double& value : values) {
+        if (value < dark) value = unknown;
       }
       const auto known = std::count_if(values.begin(), values.end(),
                                        [](double value) { return !std::isnan(value); });
       if (known < 4) continue;  // albedo and normal take three
       const Eigen::Vector2d place = linear.camera.extent.place(row, col);
       sheet.points.emplace_back(place.x(), place.y(), 0.0);
-      sheet.center += sheet.points.back();
       sheet.values.push_back(std::move(values));
     }
   }
-  if (!sheet.points.empty()) sheet.center /= double(sheet.points.size());
+  sheet.center = middle_of(mask, linear.camera.extent);
   return sheet;
 }
 
@@ -134,7 +188,7 @@ Mask sheet_mask(const Photographs& linear, const std::vector<Grid<float>>& greys
 
 Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings) {
   const auto greys = greys_of(linear);
-  const double count = std::min(1200.0, most_values / double(greys.size()));
+  const double count = std::min(700.0, most_values / double(greys.size()));
   Evidence all;
   for (std::size_t which = 0; which < readings.size(); ++which) {
     if (readings[which].sphere.kind == SphereKind::matte) {

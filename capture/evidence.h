@@ -14,7 +14,8 @@ namespace hada {
 /// What the pictures show on one matte sphere: values of some of its pixels, picture by picture.
 struct MatteEvidence {
   std::size_t sphere = 0;                   // whose reading it is
-  std::vector<Ray> rays;                    // of each pixel
+  std::vector<Ray> rays;                    // to the middle of a square of pixels each
+  std::vector<Eigen::Vector3d> bends;       // mean normal of the square less that in its middle
   std::vector<Eigen::Vector2d> places;      // of each on the disc, -1 to 1
   std::vector<std::vector<double>> values;  // [picture][pixel]; NaN: not to be believed
   std::vector<std::vector<double>> thrown;  // what the surroundings add if the sphere were white

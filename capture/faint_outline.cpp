@@ -1,8 +1,10 @@
 #include "capture/faint_outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "capture/bilinear.h"
@@ -14,13 +16,15 @@ namespace {
 constexpr int radii = 240;
 
 // The step across the circle on each radius: the mean over `reach` px outside minus that inside.
-// Radii that leave the picture are left out.
+// Radii that leave the picture are left out, and those of one octant where asked.
+constexpr int octants = 8;
 std::vector<double> steps_across(const Grid<float>& picture, const Eigen::Vector2d& center,
-                                 double radius, double reach) {
+                                 double radius, double reach, int without_octant = -1) {
   std::vector<double> steps;
   steps.reserve(radii);
   constexpr int samples = 3;
   for (int i = 0; i < radii; ++i) {
+    if (octants * i / radii == without_octant) continue;
     const double angle = 2.0 * std::numbers::pi * (i + 0.5) / radii;
     const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d far = center + (radius + reach) * way;
@@ -111,34 +115,49 @@ std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& st
     }
   }
   if (!best) return std::nullopt;
-  Eigen::Vector3d place(center.x(), center.y(), radius_px.value_or(best->radius));
+  const Eigen::Vector3d place(center.x(), center.y(), radius_px.value_or(best->radius));
   const double sign = best->height > 0.0 ? 1.0 : -1.0;
-  const auto score = [&](const Eigen::Vector3d& p) {
-    return sign *
-           coherence(steps_across(picture, p.head<2>(), p[2], reach), std::abs(best->height));
-  };
-  // Compass search: the score is flat-topped and bounded, and only its place matters.
-  double now = score(place);
   const int axes = radius_px ? 2 : 3;
-  for (double stride = 0.5 * reach; stride > 0.01; stride *= 0.5) {
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (int axis = 0; axis < axes; ++axis) {
-        for (const double way : {-stride, stride}) {
-          Eigen::Vector3d next = place;
-          next[axis] += way;
-          const double value = score(next);
-          if (value > now + 1e-9 && next[2] < 1.7 * start.radius) {
-            now = value;
-            place = next;
-            moved = true;
+  const auto settled = [&](Eigen::Vector3d at, double first_stride, int without_octant) {
+    const auto score = [&](const Eigen::Vector3d& p) {
+      return sign * coherence(steps_across(picture, p.head<2>(), p[2], reach, without_octant),
+                              std::abs(best->height));
+    };
+    // Compass search: the score is flat-topped and bounded, and only its place matters.
+    double now = score(at);
+    for (double stride = first_stride; stride > 0.01; stride *= 0.5) {
+      for (bool moved = true; moved;) {
+        moved = false;
+        for (int axis = 0; axis < axes; ++axis) {
+          for (const double way : {-stride, stride}) {
+            Eigen::Vector3d next = at;
+            next[axis] += way;
+            const double value = score(next);
+            if (value > now + 1e-9 && next[2] < 1.7 * start.radius) {
+              now = value;
+              at = next;
+              moved = true;
+            }
           }
         }
       }
     }
+    return std::pair(at, now);
+  };
+  const auto [found, coherent] = settled(place, 0.5 * reach, -1);
+  Circle outline{found.head<2>(), found[2], std::clamp(coherent, 0.0, 1.0), 0.0, 0.0};
+  // How well it is known, by leaving out one octant at a time: a rim is bright on one side and hard
+  // to see on the other, and neighbouring radii share their errors.
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  std::array<Eigen::Vector3d, octants> without;
+  for (int octant = 0; octant < octants; ++octant) {
+    without[std::size_t(octant)] = settled(found, 0.25 * reach, octant).first;
+    mean += without[std::size_t(octant)] / octants;
   }
-  constexpr double faint_scatter = 0.6;  // px: how well one radius places a step of this kind
-  return Circle{place.head<2>(), place[2], std::clamp(now, 0.0, 1.0), faint_scatter};
+  double squares = 0.0;
+  for (const auto& other : without) squares += (other - mean).squaredNorm();
+  outline.sigma = std::sqrt((octants - 1.0) / octants * squares / axes);
+  return outline;
 }
 
 }  // namespace hada

@@ -30,7 +30,8 @@ Sphere sphere_of(const Circle& circle, SphereKind kind) {
   sphere.radius_px = circle.radius;
   // Edge points that are independent of each other lie about two pixels apart.
   const double points = std::max(3.0, circle.coverage * 3.0 * circle.radius);
-  sphere.sigma_px = std::max(0.03, circle.scatter * std::sqrt(2.0 / points));
+  const double sigma = circle.sigma > 0.0 ? circle.sigma : circle.scatter * std::sqrt(2.0 / points);
+  sphere.sigma_px = std::max(0.03, sigma);
   return sphere;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include <Eigen/Dense>
@@ -24,7 +25,7 @@ double spread_of(std::vector<double> residuals) {
   return residuals.empty() ? 0.0 : 1.4826 * median(std::move(residuals));
 }
 
-// Residuals of a matte sphere in the units of the pictures, picture by picture.
+// Residuals of a matte sphere in one picture, in its units; NaN where the value is.
 std::vector<double> matte_residuals(const JointState& state, const MatteEvidence& seen,
                                     std::size_t k) {
   const SphereState& sphere = state.spheres[seen.sphere];
@@ -32,9 +33,8 @@ std::vector<double> matte_residuals(const JointState& state, const MatteEvidence
   const double one = 1.0;
   std::vector<double> residuals;
   for (std::size_t i = 0; i < seen.rays.size(); ++i) {
-    if (std::isnan(seen.values[k][i])) continue;
-    const MatteCost cost{seen.rays[i], seen.values[k][i], seen.thrown[k][i], &sphere.ambient[k],
-                         &one};
+    const MatteCost cost{seen.rays[i],      seen.bends[i],      seen.values[k][i],
+                         seen.thrown[k][i], &sphere.ambient[k], &one};
     double residual = 0.0;
     cost(light.direction.data(), &light.log_strength, &light.inverse_distance, &state.table,
          sphere.place.data(), sphere.surface.data(), &residual);
@@ -111,7 +111,8 @@ void update_sigmas(JointState& state, const Evidence& evidence) {
     std::vector<double> all;
     for (std::size_t k = 0; k < state.lights.size(); ++k) {
       const auto residuals = matte_residuals(state, seen, k);
-      all.insert(all.end(), residuals.begin(), residuals.end());
+      std::copy_if(residuals.begin(), residuals.end(), std::back_inserter(all),
+                   [](double residual) { return !std::isnan(residual); });
     }
     SphereState& sphere = state.spheres[seen.sphere];
     sphere.sigma = std::max(spread_of(std::move(all)), 1e-4 * std::exp(sphere.surface[0]));
@@ -124,17 +125,23 @@ void update_sigmas(JointState& state, const Evidence& evidence) {
       const double value = evidence.sheet.values[p][k];
       if (std::isnan(value)) continue;
       values.push_back(value);
-      all.push_back(value - vector_of(state.sheet[p].data())
-                                .dot(arriving_at(state.lights[k], evidence.sheet.points[p])));
+      Eigen::Vector3d point = evidence.sheet.points[p];
+      point.z() = state.sheet[p][3];
+      all.push_back(value -
+                    vector_of(state.sheet[p].data()).dot(arriving_at(state.lights[k], point)));
     }
   }
   if (values.empty()) return;
-  state.sheet_sigma = std::max(spread_of(std::move(all)), 1e-4 * median(std::move(values)));
+  // Albedo and normal of each pixel have taken three of its residuals.
+  const double count = double(values.size()) / double(evidence.sheet.points.size());
+  const double freedom = std::sqrt(count / std::max(count - 3.0, 1.0));
+  state.sheet_sigma =
+      std::max(freedom * spread_of(std::move(all)), 1e-4 * median(std::move(values)));
 }
 
 // The sheet under the lights in force, pixel by pixel.
 void solve_sheet(JointState& state, const SheetEvidence& sheet) {
-  state.sheet.assign(sheet.points.size(), {0.0, 0.0, 0.0});
+  state.sheet.assign(sheet.points.size(), {0.0, 0.0, 0.0, 0.0});
   for (std::size_t p = 0; p < sheet.points.size(); ++p) {
     Eigen::Matrix3d normal = 1e-9 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -162,9 +169,9 @@ void descend_once(JointState& state, const Evidence& evidence, LampModel model) 
     }
     how.linear_solver_ordering = order;
   }
-  how.max_num_iterations = 30;
-  how.function_tolerance = 1e-7;
-  how.num_threads = threads();
+  how.max_num_iterations = 20;
+  how.function_tolerance = 1e-6;
+  how.num_threads = 1;  // two do not add up in the same order
   how.logging_type = ceres::SILENT;
   FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres speaks of every step that it has to refuse
   ceres::Solver::Summary summary;
@@ -182,6 +189,7 @@ Eigen::Vector3d arriving_at(const LightState& light, const Eigen::Vector3d& poin
 JointState first_state(const Evidence& evidence, const std::vector<SphereReading>& readings,
                        const std::vector<Light>& lights, const Camera& camera) {
   JointState state;
+  if (camera.model == Camera::Model::perspective) state.eye = camera.distance();
   double mean = 0.0;
   for (const Light& light : lights) mean += light.strength[0] / double(lights.size());
   for (const Light& light : lights) {
@@ -248,23 +256,20 @@ Eigen::Vector3d own_direction(const JointState& state, const Evidence& evidence,
   }
   for (const MatteEvidence& seen : evidence.matte) {
     if (seen.sphere != sphere) continue;
-    // Gauss-Newton on the clipped cosine; the direction in force decides which pixels are lit.
-    for (int round = 0; round < 4; ++round) {
-      Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-      Eigen::Vector3d right = Eigen::Vector3d::Zero();
-      for (std::size_t i = 0; i < seen.rays.size(); ++i) {
-        const auto hit = first_hit<double>(seen.rays[i], center, found.place[2]);
-        const double value = seen.values[light][i];
-        if (!hit || std::isnan(value) || hit->normal.dot(direction) <= 0.0) continue;
-        const double lit = value - found.ambient[light] - found.surface[1] * seen.thrown[light][i];
-        normal += hit->normal * hit->normal.transpose();
-        right += lit * hit->normal;
-      }
-      normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
-      const Eigen::Vector3d solved = normal.ldlt().solve(right);
-      if (!(solved.norm() > 0.0)) break;
-      direction = solved.normalized();
+    // What the joint fit leaves over on the lit side, read as a change of the light.
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    const auto residuals = matte_residuals(state, seen, light);
+    for (std::size_t i = 0; i < seen.rays.size(); ++i) {
+      const auto hit = first_hit<double>(seen.rays[i], center, found.place[2]);
+      if (!hit || std::isnan(residuals[i]) || hit->normal.dot(direction) <= 0.0) continue;
+      normal += hit->normal * hit->normal.transpose();
+      right += residuals[i] * hit->normal;
     }
+    normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
+    const double full =
+        std::exp(found.surface[0]) * arriving_at(state.lights[light], center).norm();
+    direction = (direction + normal.ldlt().solve(right) / full).normalized();
   }
   return direction;
 }

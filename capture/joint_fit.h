@@ -29,9 +29,10 @@ struct SphereState {
 struct JointState {
   std::vector<LightState> lights;
   std::vector<SphereState> spheres;
-  std::vector<std::array<double, 3>> sheet;  // albedo times normal at each point
+  std::vector<std::array<double, 4>> sheet;  // albedo times normal, and height, at each point
   double sheet_sigma = 1.0;
   double table = 0.0;           // height of what the spheres rest on; the sheet lies at z = 0
+  double eye = 0.0;             // height of the camera; 0: orthographic
   double strength_sigma = 0.5;  // spread of the logarithms of the strengths
   double cost = 0.0;            // half the sum of squares, robust, at the end of the last descent
 };

@@ -23,6 +23,13 @@ int part_of(const Eigen::Vector2d& place, int parts) {
   return index(place.y()) * parts + index(place.x());
 }
 
+// How large things are in this scene.
+double largest_radius(const JointState& state) {
+  double radius = 0.0;
+  for (const SphereState& sphere : state.spheres) radius = std::max(radius, sphere.prior[2]);
+  return radius;
+}
+
 }  // namespace
 
 JointProblem::JointProblem(JointState& state, const Evidence& evidence, LampModel model) {
@@ -65,7 +72,7 @@ void JointProblem::add_matte(JointState& state, const MatteEvidence& seen) {
     for (std::size_t i = 0; i < seen.rays.size(); ++i) {
       if (std::isnan(seen.values[k][i])) continue;
       using Cost = ceres::AutoDiffCostFunction<MatteCost, 1, 3, 1, 1, 1, 3, 2>;
-      add(new Cost(new MatteCost{seen.rays[i], seen.values[k][i], seen.thrown[k][i],
+      add(new Cost(new MatteCost{seen.rays[i], seen.bends[i], seen.values[k][i], seen.thrown[k][i],
                                  &sphere.ambient[k], &sphere.sigma}),
           robust(),
           {Row::Kind::matte, first + int(k) * parts * parts + part_of(seen.places[i], parts)},
@@ -89,19 +96,22 @@ void JointProblem::add_sheet(JointState& state, const SheetEvidence& seen) {
   Eigen::Vector3d reach = Eigen::Vector3d::Constant(1e-12);
   for (const auto& point : seen.points) reach = reach.cwiseMax((point - seen.center).cwiseAbs());
   constexpr int parts = 8;
+  const double relief_sigma = 0.1 * largest_radius(state);
   for (std::size_t p = 0; p < seen.points.size(); ++p) {
-    double* const normal = state.sheet[p].data();
-    problem.AddParameterBlock(normal, 3);
-    sheet.push_back(normal);
+    double* const pixel = state.sheet[p].data();
+    problem.AddParameterBlock(pixel, 4);
+    sheet.push_back(pixel);
+    using Relief = ceres::AutoDiffCostFunction<ReliefCost, 1, 4>;
+    add(new Relief(new ReliefCost{relief_sigma}), nullptr, other, {pixel});
     const Eigen::Vector2d place = (seen.points[p] - seen.center).head<2>();
     const int part = part_of(place.cwiseQuotient(reach.head<2>()), parts);
     for (std::size_t k = 0; k < state.lights.size(); ++k) {
       if (std::isnan(seen.values[p][k])) continue;
       LightState& light = state.lights[k];
-      using Cost = ceres::AutoDiffCostFunction<SheetCost, 1, 3, 1, 1, 3>;
+      using Cost = ceres::AutoDiffCostFunction<SheetCost, 1, 3, 1, 1, 4>;
       add(new Cost(new SheetCost{seen.points[p], seen.values[p][k], &state.sheet_sigma}), robust(),
           {Row::Kind::sheet, int(k) * parts * parts + part},
-          {light.direction.data(), &light.log_strength, &light.inverse_distance, normal});
+          {light.direction.data(), &light.log_strength, &light.inverse_distance, pixel});
     }
   }
 }
@@ -116,16 +126,13 @@ void JointProblem::add_priors(JointState& state) {
     add(new Number(new PriorCost<1>{One(0.0), One(state.strength_sigma)}), nullptr, other,
         {&light.log_strength});
   }
-  double radius = 0.0;
-  for (const SphereState& sphere : state.spheres) radius = std::max(radius, sphere.prior[2]);
   constexpr double table_sigma = 0.3;  // of the radius: a sheet bulges, and has something under it
-  add(new Number(new PriorCost<1>{One(0.0), One(table_sigma * radius)}), nullptr, other,
-      {&state.table});
+  add(new Number(new PriorCost<1>{One(0.0), One(table_sigma * largest_radius(state))}), nullptr,
+      other, {&state.table});
   for (SphereState& sphere : state.spheres) {
-    using Place = ceres::AutoDiffCostFunction<PriorCost<3>, 3, 3>;
-    add(new Place(new PriorCost<3>{vector_of(sphere.prior.data()),
-                                   Eigen::Vector3d::Constant(sphere.prior_sigma)}),
-        nullptr, other, {sphere.place.data()});
+    using Place = ceres::AutoDiffCostFunction<OutlineCost, 3, 3, 1>;
+    add(new Place(new OutlineCost{vector_of(sphere.prior.data()), sphere.prior_sigma, state.eye}),
+        nullptr, other, {sphere.place.data(), &state.table});
     if (!problem.HasParameterBlock(sphere.surface.data())) continue;
     using Surface = ceres::AutoDiffCostFunction<PriorCost<2>, 2, 2>;
     add(new Surface(new PriorCost<2>{{sphere.surface[0], 0.5}, {10.0, 0.3}}), nullptr, other,

@@ -22,7 +22,7 @@ struct JointProblem {
   std::vector<ceres::ResidualBlockId> blocks;  // of residuals
   std::vector<Row> rows;                       // of the Jacobian, in the order of `blocks`
   std::vector<double*> shared;                 // the unknowns but the sheet's
-  std::vector<double*> sheet;                  // three unknowns of each pixel
+  std::vector<double*> sheet;                  // four unknowns of each pixel
 
   JointProblem(JointState& state, const Evidence& evidence, LampModel model);
 

@@ -34,9 +34,10 @@ inline Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
   return axes;
 }
 
-/// A pixel of a matte sphere: max(0, n.L) + ambient + what the surroundings throw.
+/// A square of pixels on a matte sphere: max(0, n.L) + ambient + what the surroundings throw.
 struct MatteCost {
   Ray ray;
+  Eigen::Vector3d bend;
   double value;
   double thrown;
   const double* ambient;  // may change between two descents
@@ -50,7 +51,7 @@ struct MatteCost {
     const auto hit = first_hit<T>(ray, center_of(sphere, *table), sphere[2]);
     if (!hit) return true;
     const auto light = arriving<T>(vector_of(direction), *inverse_distance, hit->point);
-    const T cosine = hit->normal.dot(light);
+    const T cosine = (hit->normal + bend.cast<T>()).dot(light);
     T model = *ambient + surface[1] * thrown;
     if (cosine > T(0.0)) model += exp(*log_strength + surface[0]) * cosine;
     residual[0] = (value - model) / *sigma;
@@ -80,7 +81,7 @@ struct ChromeCost {
   }
 };
 
-/// A pixel of the sheet: g.L for g = albedo times normal.
+/// A pixel of the sheet: g.L for g = albedo times normal. How high it lies matters to near lamps.
 struct SheetCost {
   Eigen::Vector3d point;
   double value;
@@ -88,11 +89,37 @@ struct SheetCost {
 
   template <class T>
   bool operator()(const T* direction, const T* log_strength, const T* inverse_distance,
-                  const T* scaled_normal, T* residual) const {
+                  const T* pixel, T* residual) const {
     using std::exp;
-    const auto light = arriving<T>(vector_of(direction), *inverse_distance,
-                                   Eigen::Matrix<T, 3, 1>(point.cast<T>()));
-    residual[0] = (value - exp(*log_strength) * vector_of(scaled_normal).dot(light)) / *sigma;
+    const Eigen::Matrix<T, 3, 1> place(T(point.x()), T(point.y()), pixel[3]);
+    const auto light = arriving<T>(vector_of(direction), *inverse_distance, place);
+    residual[0] = (value - exp(*log_strength) * vector_of(pixel).dot(light)) / *sigma;
+    return true;
+  }
+};
+
+/// The height of a pixel of the sheet, about which nothing is known but that the sheet is flat.
+struct ReliefCost {
+  double sigma;
+
+  template <class T>
+  bool operator()(const T* pixel, T* residual) const {
+    residual[0] = pixel[3] / sigma;
+    return true;
+  }
+};
+
+/// The outline of a sphere: seen from `eye` above the sheet (0: infinitely far), place and radius
+/// appear larger the higher the sphere's middle lies.
+struct OutlineCost {
+  Eigen::Vector3d prior;  // place and radius of the sphere of this outline on a table at height 0
+  double sigma;
+  double eye;
+
+  template <class T>
+  bool operator()(const T* sphere, const T* table, T* residuals) const {
+    const T scale = eye > 0.0 ? (eye - prior.z()) / (eye - (*table + sphere[2])) : T(1.0);
+    for (int i = 0; i < 3; ++i) residuals[i] = (sphere[i] * scale - prior[i]) / sigma;
     return true;
   }
 };
