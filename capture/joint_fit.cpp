@@ -159,16 +159,13 @@ void descend_once(JointState& state, const Evidence& evidence, LampModel model) 
   JointProblem joint(state, evidence, model);
   ceres::Solver::Options how;
   how.linear_solver_type = joint.sheet.empty() ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_SCHUR;
-  if (!joint.sheet.empty()) {
-    auto order = std::make_shared<ceres::ParameterBlockOrdering>();
-    for (double* block : joint.sheet) order->AddElementToGroup(block, 0);
-    std::vector<double*> blocks;
-    joint.problem.GetParameterBlocks(&blocks);
-    for (double* block : blocks) {
-      if (order->GroupId(block) < 0) order->AddElementToGroup(block, 1);
-    }
-    how.linear_solver_ordering = order;
-  }
+  // The sheet's pixels are eliminated first. Left to itself Ceres orders what is in one group by
+  // its place in memory, and the last digits with it; a group for each unknown settles that.
+  auto order = std::make_shared<ceres::ParameterBlockOrdering>();
+  for (double* block : joint.sheet) order->AddElementToGroup(block, 0);
+  int group = 1;
+  for (double* block : joint.shared) order->AddElementToGroup(block, group++);
+  how.linear_solver_ordering = order;
   how.max_num_iterations = 20;
   how.function_tolerance = 1e-6;
   how.num_threads = 1;  // two do not add up in the same order

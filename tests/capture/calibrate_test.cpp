@@ -47,7 +47,9 @@ TEST(Calibrate, ReportsHowMuchTheSpheresDisagree) {
     sum += angle_deg(calibration.readings[0].lights[k].direction,
                      calibration.readings[1].lights[k].direction);
   }
-  EXPECT_NEAR(calibration.disagreement / degree, sum / 6.0, 1e-9);
+  // Distant lights look the same from both places. A chord is shorter than its arc: by 4e-5 of it
+  // at two degrees.
+  EXPECT_NEAR(calibration.disagreement / degree, sum / 6.0, 1e-3);
 }
 
 TEST(Calibrate, HearsFromTheMatteSphereHowThePicturesAreEncoded) {

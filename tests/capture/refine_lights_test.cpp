@@ -1,0 +1,67 @@
+#include "capture/refine_lights.h"
+
+#include <gtest/gtest.h>
+
+#include "capture/calibrate.h"
+#include "table_scene.h"
+
+namespace hada {
+namespace {
+
+TEST(RefinedLights, TakesLampsForDistantThatAre) {
+  const Calibration found = calibrate(table_scene({matte_at(-18.0, 0.0)}));
+  for (const Light& light : found.lights) EXPECT_FALSE(light.position.has_value());
+  // The sheet makes a linear map of all lights out of each reading's own error.
+  const auto truth = six_lights();
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_LT(angle_deg(found.lights[k].direction, truth[k].direction), 0.1);
+  }
+}
+
+TEST(RefinedLights, FindsWhereNearLampsStand) {
+  auto rig = table_rig({matte_at(-18.0, 0.0, 12.0)});
+  for (Light& light : rig.lights) light.position = 150.0 * light.direction;
+  const Surface sheet = waved_sheet(24.0);
+  const Calibration found = calibrate(photographs_of(photograph(sheet, rig)));
+  const double lift = -*std::min_element(sheet.height.begin(), sheet.height.end());
+  for (std::size_t k = 0; k < 6; ++k) {
+    ASSERT_TRUE(found.lights[k].position.has_value());
+    const Eigen::Vector3d truth = *rig.lights[k].position - Eigen::Vector3d(0.0, 0.0, lift);
+    // Half of a relief of 0.35 mm rms is what the plane of the sheet is known to; 3 % of the
+    // distance is ten times what a noise of 0.2 % leaves over a sheet a sixth as wide.
+    EXPECT_LT((*found.lights[k].position - truth).norm(), 0.03 * 150.0);
+    // The direction is that from the middle of the sheet, 12 mm to the right.
+    const Eigen::Vector3d from_sheet = truth - Eigen::Vector3d(12.0, 0.0, 0.0);
+    EXPECT_LT(angle_deg(found.lights[k].direction, from_sheet), 0.3);
+  }
+}
+
+TEST(RefinedLights, KnowsStrengthsWithoutAMatteSphere) {
+  const Calibration found = calibrate(table_scene({chrome_at(-18.0, 0.0, 12.0)}));
+  EXPECT_TRUE(found.strengths_measured);
+  const auto truth = six_lights();
+  for (std::size_t k = 0; k < 6; ++k) {
+    // A direction off by a degree shifts the sheet's brightness by 2 %, which strengths take up.
+    EXPECT_NEAR(found.lights[k].strength[0] / found.lights[0].strength[0],
+                truth[k].strength[0] / truth[0].strength[0], 0.05);
+  }
+}
+
+TEST(RefinedLights, HasIndependentModesThatAddUpToItsSigmas) {
+  const Calibration found = calibrate(table_scene({matte_at(-18.0, 0.0)}));
+  ASSERT_FALSE(found.errors.empty());
+  for (std::size_t k = 0; k < 6; ++k) {
+    double variance = 0.0;
+    for (const auto& mode : found.errors) {
+      ASSERT_EQ(mode.size(), 6u);
+      const Eigen::Vector3d direction = found.lights[k].direction;
+      variance += 0.5 * (mode[k] - mode[k].dot(direction) * direction).squaredNorm();
+    }
+    // The strengths are 1 within 10 %; modes below 1 % of the variance are left out.
+    const double sigma = found.lights[k].direction_sigma;
+    EXPECT_NEAR(std::sqrt(variance), sigma, 0.2 * sigma);
+  }
+}
+
+}  // namespace
+}  // namespace hada
