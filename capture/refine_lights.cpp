@@ -31,6 +31,9 @@ struct Settled {
 // Distant lamps first; then the distances are let go, and kept where they matter.
 Settled settled(const Evidence& all, JointState state, const Camera& camera) {
   descend(state, all, LampModel::distant, 3);
+  // One sphere by itself sees every light from one place: how far it is, only a second one or a
+  // sample beside it can tell.
+  if (state.spheres.size() < 2 && state.sheet.empty()) return {state, LampModel::distant};
   const double half = 0.5 * std::hypot(camera.extent.width(), camera.extent.height());
   constexpr double first_nearness = 0.05;  // anything that is not 0: the strengths then follow
   JointState near = state;
