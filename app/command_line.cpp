@@ -19,6 +19,7 @@
 #include "app/commands/validate.h"
 #include "app/files.h"
 #include "core/error.h"
+#include "reconstruct/estimator.h"
 
 // The only unit that includes CLI11. A command is an entry here: its words, its example, and the
 // struct of arguments that its function takes.
@@ -142,11 +143,12 @@ void add_measuring(Commands& commands) {
                                  "what to take off the height: offset, plane or quadratic "
                                  "(default: plane)")
                      ->check(CLI::IsMember({"offset", "plane", "quadratic"}));
-                 command
-                     .add_option("--estimator", a.estimator,
-                                 "how normals are found: least-squares of all samples, or "
-                                 "lit-least-squares of those that are lit (default)")
-                     ->check(CLI::IsMember({"least-squares", "lit-least-squares"}));
+                 command.add_option(
+                     "--estimator", a.estimator,
+                     "how normals are found: adaptive (default) finds shadows, sheen "
+                     "and the light between folds; least-squares is the plain method; "
+                     "others: " +
+                         estimator_names());
                  add_out(command, a, "surface folder to write")->required();
                });
   commands.add("measure", "Describe a surface: spectrum, rings, sectors, roughness",

@@ -14,6 +14,7 @@ std::string surface_notes(const Reconstruction& r) {
   };
   note("noise", r.noise);
   note("relighting_error", r.relighting_error);
+  note("left_out_error", r.left_out_error);
   note("condition", r.condition);
   if (!r.remarks.empty()) notes["remarks"] = r.remarks;
   notes["version"] = version();

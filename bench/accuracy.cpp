@@ -145,7 +145,7 @@ double diligent_ball_error_deg(const fs::path& data) {
   for (std::size_t i = 0; i < stack.mask.size(); ++i) stack.mask[i] = mask.planes[0][i] > 0.5f;
   // The baseline of the benchmark is plain least squares over all samples, shadowed ones included.
   stack.samples.assign(stack.lights.size(), Grid<Sample>(mask.rows(), mask.cols(), Sample::lit));
-  const Orientation found = least_squares_normals(stack);
+  const Orientation found = solve_normals(stack, {.estimator = Estimator::least_squares});
   const Image truth = read_image(folder / "normal_gt.tif").image;
   double sum = 0.0;
   int count = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +51,17 @@ inline Eigen::Vector3d arriving(const Light& light, int channel, const Eigen::Ve
 using LightErrorMode = std::vector<Eigen::Vector3d>;
 
 /// What became of the light of one picture at one pixel.
-enum class Sample : std::uint8_t { lit, shadowed, saturated };
+///
+/// Before the shape is known a dark sample is `shadowed` and no more; afterwards it can be said
+/// why.
+enum class Sample : std::uint8_t {
+  lit,
+  shadowed,         // too dark to say anything
+  saturated,        // brighter than the file could hold
+  attached_shadow,  // the surface looks away from the light: n.l <= 0
+  cast_shadow,      // it looks at the light, but much less arrives than should
+  highlight,        // much more comes back than a matte surface sends
+};
 
 /// What the camera saw: linear pictures, one light each, and which samples can be believed.
 ///

@@ -16,12 +16,11 @@ constexpr double least_variance = rounding * rounding / 12.0;
 constexpr int pool_radius_px = 4;
 constexpr double prior_freedom = 20.0;  // how many residuals the typical noise is worth
 
-// The median of chi-squared over its degrees of freedom (Wilson and Hilferty 1931).
+}  // namespace
+
 double median_of_chi_squared(double freedom) {
   return std::pow(1.0 - 2.0 / (9.0 * freedom), 3.0);
 }
-
-}  // namespace
 
 double typical_noise(const Residuals& residuals) {
   std::vector<double> variances;

@@ -14,6 +14,9 @@ struct Residuals {
 /// half a per cent of the largest value, what a plain 8-bit photograph has.
 inline constexpr double prior_noise = 0.005;
 
+/// The median of chi-squared over its degrees of freedom (Wilson and Hilferty 1931).
+double median_of_chi_squared(double freedom);
+
 /// The typical standard deviation of one sample: off the median, so that pixels at which the model
 /// fails do not count. `prior_noise` where no pixel has a degree of freedom.
 double typical_noise(const Residuals& residuals);

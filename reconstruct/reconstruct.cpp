@@ -1,6 +1,7 @@
 #include "reconstruct/reconstruct.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -8,6 +9,7 @@
 
 #include "core/bounding_box.h"
 #include "core/error.h"
+#include "core/quantile.h"
 #include "reconstruct/height_sigma.h"
 #include "reconstruct/integrate.h"
 #include "reconstruct/regions.h"
@@ -19,11 +21,27 @@ namespace {
 constexpr double poor_condition = 8.0;    // noise reaches the worst axis eight times as strong
 constexpr double poor_share_lost = 0.02;  // of the pixels of the mask
 constexpr double poor_relighting_error = 0.10;  // a tenth of the picture is not explained
+constexpr int few_inliers = 5;                  // two more than the unknowns
+constexpr double odd_light = 3.0;               // times the typical error
 constexpr std::size_t few_lights = 6;           // fewer, and one sheen or shadow decides a normal
-constexpr double notable_region = 0.01;         // of the pixels of the mask
+constexpr double least_slope = 0.05;            // mean; flatter, the surface hardly sees itself
+constexpr int bounce_passes = 3;  // each leaves a third of the error of the one before
+constexpr int near_passes = 2;
+constexpr double notable_region = 0.01;  // of the pixels of the mask
 
 std::ptrdiff_t pixels_in(const Mask& mask) {
   return std::count_if(mask.begin(), mask.end(), [](auto inside) { return inside != 0; });
+}
+
+double mean_albedo(const Orientation& found) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < found.mask.size(); ++i) {
+    if (!found.mask[i]) continue;
+    sum += double(found.rho[i]);
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 // The part of the pictures that holds the sample, before its height is known.
@@ -41,6 +59,56 @@ Surface cropped(const Orientation& found, const Extent& extent) {
 
 std::string percent(double share) {
   return fmt::format("{:.{}f} %", 100.0 * share, share < 0.1 ? 1 : 0);
+}
+
+void remark_on_inliers(const Orientation& found, std::size_t lights,
+                       std::vector<std::string>& remarks) {
+  if (lights < few_lights) return;
+  double few = 0.0;
+  for (std::size_t i = 0; i < found.mask.size(); ++i) {
+    few += found.mask[i] && found.inliers[i] < few_inliers;
+  }
+  const double share = few / double(std::max<std::ptrdiff_t>(1, pixels_in(found.mask)));
+  if (share <= poor_share_lost) return;
+  remarks.push_back(fmt::format(
+      "At {} of the pixels fewer than {} samples agree, so one more that is wrong would turn the "
+      "normal; more lights, or higher ones where shadows fall, would help.",
+      percent(share), few_inliers));
+}
+
+// A light that the others contradict much more than they contradict each other.
+void remark_on_lights(const LightStack& stack, const Orientation& found,
+                      std::vector<std::string>& remarks) {
+  if (found.light_errors.size() < few_lights) return;
+  const double typical = median(found.light_errors);
+  for (std::size_t k = 0; k < found.light_errors.size(); ++k) {
+    const double error = found.light_errors[k];
+    if (error < odd_light * typical || error < poor_relighting_error) continue;
+    remarks.push_back(fmt::format(
+        "The picture of light {} is off by {} from what the others predict (typical: {}); check "
+        "that light, or leave the picture out.",
+        stack.lights[k].image, percent(error), percent(typical)));
+  }
+}
+
+void remark_on_terms(const Orientation& found, std::vector<std::string>& remarks) {
+  const SharedTerms& terms = found.terms;
+  if (terms.curved()) {
+    const auto departure = [&](float u) {
+      return u * (terms.curve[0] + u * (terms.curve[1] + u * terms.curve[2]));
+    };
+    remarks.push_back(fmt::format(
+        "The surface is not quite matte: at 45 and at 70 degrees from the light it sends {:+.0f} % "
+        "and {:+.0f} % of what Lambert's law says. One curve for all pixels was taken into "
+        "account.",
+        100.0f * departure(0.293f), 100.0f * departure(0.658f)));
+  }
+  if (terms.bounce > 0.0f) {
+    remarks.push_back(fmt::format(
+        "Light that the surface throws on itself was taken off; it is as strong as an albedo of "
+        "{:.2f} would send.",
+        double(terms.bounce) * mean_albedo(found)));
+  }
 }
 
 std::vector<std::string> remarks_on(const LightStack& stack, const Orientation& found) {
@@ -72,12 +140,16 @@ std::vector<std::string> remarks_on(const LightStack& stack, const Orientation& 
         "are saturated, would help.",
         percent(lost)));
   }
-  if (found.relighting_error > poor_relighting_error) {
+  if (found.left_out_error > poor_relighting_error) {
     remarks.push_back(
         fmt::format("A matte surface under these lights explains the pictures only up to {}: look "
-                    "for sheen, shadows, or pictures that are not linear.",
-                    percent(found.relighting_error)));
+                    "for sheen, shadows, or pictures that are not linear. Samples that do not fit "
+                    "were left out where the estimator can.",
+                    percent(found.left_out_error)));
   }
+  remark_on_inliers(found, lights, remarks);
+  remark_on_lights(stack, found, remarks);
+  remark_on_terms(found, remarks);
   const Regions regions = regions_of(found.mask);
   const auto notable = std::count_if(regions.size.begin() + 1, regions.size.end(), [&](int size) {
     return size > notable_region * double(pixels_in(found.mask));
@@ -90,13 +162,69 @@ std::vector<std::string> remarks_on(const LightStack& stack, const Orientation& 
   return remarks;
 }
 
+bool has_near_light(const LightStack& stack) {
+  return std::any_of(stack.lights.begin(), stack.lights.end(),
+                     [](const Light& light) { return light.position.has_value(); });
+}
+
+double mean_slope(const Orientation& found) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < found.mask.size(); ++i) {
+    if (!found.mask[i]) continue;
+    const Eigen::Vector3f& n = found.normals[i];
+    sum += std::hypot(n.x(), n.y()) / n.z();
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+Grid<float> albedo_inside(const Orientation& found) {
+  Grid<float> rho = found.rho;
+  for (std::size_t i = 0; i < rho.size(); ++i) {
+    if (!found.mask[i]) rho[i] = 0.0f;
+  }
+  return rho;
+}
+
+// Normals, then the height that they give, then normals again that know of it: where near lights
+// stand to each point, and what light the surface throws on itself.
+Orientation orientation_of(const LightStack& stack, Estimator estimator) {
+  NormalOptions options{.estimator = estimator, .uncertainty = false};
+  const bool near = has_near_light(stack);
+  const bool folded = estimator == Estimator::adaptive;
+  Grid<float> height;
+  Bounce bounce;
+  if (near || folded) {
+    Orientation found = solve_normals(stack, options);
+    const bool bounces = folded && mean_slope(found) > least_slope;
+    const int passes = bounces ? bounce_passes : near ? near_passes : 0;
+    for (int pass = 0; pass < passes; ++pass) {
+      if (pass > 0) found = solve_normals(stack, options);
+      if (bounces && pass > 0 && found.terms.bounce == 0.0f) {  // nothing of it in the pictures
+        options.bounce = nullptr;
+        if (!near || pass >= near_passes) break;
+      }
+      if (std::count(found.mask.begin(), found.mask.end(), 1) == 0) break;
+      height = integrate(found.normals, found.mask, stack.extent().pitch,
+                         {.pin_hole = pin_hole_of(stack.camera, {0, 0})});
+      if (near) options.height = &height;
+      if (!bounces) continue;
+      bounce = gather_bounce(stack, height, found.normals, albedo_inside(found));
+      options.bounce = &bounce;
+    }
+  }
+  options.uncertainty = true;
+  return solve_normals(stack, options);
+}
+
 }  // namespace
 
 Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& options) {
   if (pixels_in(stack.mask) == 0) {
     throw Error("the mask is empty: no pixel belongs to the sample; check the mask or its box");
   }
-  const Orientation found = least_squares_normals(stack, options.estimator);
+  const Orientation found = orientation_of(stack, options.estimator);
   if (pixels_in(found.mask) == 0) {
     throw Error(
         "no pixel of the mask has three good samples and a normal towards the camera: check the "
@@ -116,6 +244,10 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   result.estimator = options.estimator;
   result.noise = found.noise;
   result.relighting_error = found.relighting_error;
+  result.left_out_error = found.left_out_error;
+  result.light_errors = found.light_errors;
+  const auto [row, col, rows, cols] = bounding_box(found.mask);
+  result.inliers = crop(found.inliers, row, col, rows, cols);
   result.condition = found.condition;
   result.remarks = remarks_on(stack, found);
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,22 +13,25 @@ namespace hada {
 
 struct ReconstructOptions {
   Levelling levelling = Levelling::plane;
-  Estimator estimator = Estimator::lit_least_squares;
+  Estimator estimator = default_estimator;
 };
 
 /// A surface, and what a person should know of how it came about.
 struct Reconstruction {
   Surface surface;  // cropped to the bounding box of the mask; offset_px says where that lies
-  Estimator estimator = Estimator::lit_least_squares;  // that was used
+  Estimator estimator = default_estimator;  // that was used
   double noise = 0.0;                // of one grey sample, in units of the largest sample value
   double relighting_error = 0.0;     // root mean square, relative
+  double left_out_error = 0.0;       // each sample against the fit to the others; all lit samples
+  std::vector<double> light_errors;  // left_out_error of each light
+  Grid<std::uint8_t> inliers;        // samples believed at each pixel of the surface
   double condition = 0.0;            // of the light directions
   std::vector<std::string> remarks;  // plain sentences: what is poor, and what would help
 };
 
 /// The surface that explains the pictures: normals, albedo, height and the sigma of each.
 ///
-/// throws  Error if the mask is empty, or as `least_squares_normals` does
+/// throws  Error if the mask is empty, or as `solve_normals` does
 Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& options = {});
 
 }  // namespace hada

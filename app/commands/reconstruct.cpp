@@ -18,11 +18,9 @@ Levelling levelling_named(const std::string& name) {
   throw Error("--levelling " + name + ": choose from: offset, plane, quadratic");
 }
 
-Estimator estimator_named(const std::string& name) {
-  for (const auto estimator : {Estimator::least_squares, Estimator::lit_least_squares}) {
-    if (name_of(estimator) == name) return estimator;
-  }
-  throw Error("--estimator " + name + ": choose from: least-squares, lit-least-squares");
+Estimator chosen_estimator(const std::string& name) {
+  if (const auto estimator = estimator_named(name)) return *estimator;
+  throw Error("--estimator " + name + ": choose from: " + estimator_names());
 }
 
 }  // namespace
@@ -34,7 +32,7 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
   terminal.step("reconstructing normals and height");
   const Reconstruction result =
       reconstruct(lit.stack, {.levelling = levelling_named(arguments.levelling),
-                              .estimator = estimator_named(arguments.estimator)});
+                              .estimator = chosen_estimator(arguments.estimator)});
 
   const std::string notes = surface_notes(result);
   write_surface(output, "", result.surface, notes);

@@ -14,7 +14,7 @@ struct ReconstructArguments {
   std::optional<std::filesystem::path> lights;
   std::optional<double> pitch_mm;  // overrides the manifest
   std::string levelling = "plane";
-  std::string estimator = "lit-least-squares";
+  std::string estimator = "adaptive";
 };
 
 /// Turns a capture into a surface folder with previews.

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "reconstruct/tile.h"
+
+namespace hada {
+
+/// How sure the answers of a tile are: one value for each pixel.
+struct Judgement {
+  std::vector<float> squares;     // weighted squared residuals, less what the lights explain
+  std::vector<float> freedom;     // sum of the weights minus the three unknowns
+  std::vector<float> noise_gain;  // variance of the normal, per axis, for a sample variance of 1
+  std::vector<float> light_variance;  // of the normal, per axis, that errors of the lights bring
+  std::vector<float> albedo_gain;     // relative variance of the albedo, for a sample variance of 1
+  std::vector<float> inliers;         // samples that count by half at least
+  // Sums of squares for each light over the pixels of `inside`:
+  std::vector<double> picture;       // of the samples
+  std::vector<double> used;          // residuals, weighted
+  std::vector<double> used_picture;  // the samples, weighted likewise
+  std::vector<double> left_out;      // residuals of each sample against the fit to all others
+
+  std::vector<float> scratch;  // four vectors for each light
+
+  Judgement(int lights, int most_pixels);
+};
+
+/// Judges what an estimator left in `tile`; `inside` says which of its pixels count.
+///
+/// With A = sum w l l^T and g = A^-1 l, a light turned by dl changes its sample by rho n.dl, which
+/// w g carries on to the normal; and the fit without sample k misses it by r / (1 - w g.l), the
+/// predicted residual (D. M. Allen, Technometrics 16, 1974), weights held.
+///
+/// tilt_squared  variance of each light's direction, per tangent axis
+void judge(const Tile& tile, const std::vector<float>& tilt_squared,
+           const std::vector<float>& inside, Judgement& judgement);
+
+}  // namespace hada

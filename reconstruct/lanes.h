@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "reconstruct/tile.h"
+
+/// Eight neighbouring pixels at a time, for the sources that are compiled for more than one
+/// machine.
+///
+/// A lane never looks at another, and no operation is contracted or reordered, so a pixel gets the
+/// same bytes on every machine and wherever it lies. Everything here is inlined: no `Lanes` crosses
+/// a call. No Eigen in sources that include this.
+namespace hada {
+
+using Lanes = float __attribute__((vector_size(32)));
+using LaneBits = std::int32_t __attribute__((vector_size(32)));  // all ones: yes
+
+[[gnu::always_inline]] inline Lanes load(const float* from) {
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+[[gnu::always_inline]] inline void store(float* to, const Lanes& lanes) {
+  std::memcpy(to, &lanes, sizeof lanes);
+}
+
+[[gnu::always_inline]] inline Lanes all(float value) {
+  return Lanes{value, value, value, value, value, value, value, value};
+}
+
+[[gnu::always_inline]] inline Lanes chosen(const LaneBits& which, const Lanes& yes,
+                                           const Lanes& no) {
+  return which ? yes : no;
+}
+
+[[gnu::always_inline]] inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return chosen(a > b, a, b);
+}
+
+[[gnu::always_inline]] inline Lanes smaller(const Lanes& a, const Lanes& b) {
+  return chosen(a < b, a, b);
+}
+
+[[gnu::always_inline]] inline Lanes magnitude(const Lanes& a) {
+  return larger(a, -a);
+}
+
+[[gnu::always_inline]] inline Lanes root(const Lanes& a) {
+  Lanes result;
+  for (int i = 0; i < lane_count; ++i) result[i] = std::sqrt(a[i]);
+  return result;
+}
+
+[[gnu::always_inline]] inline bool any(const LaneBits& bits) {
+  std::uint64_t parts[4];
+  std::memcpy(parts, &bits, sizeof parts);
+  return (parts[0] | parts[1] | parts[2] | parts[3]) != 0;
+}
+
+}  // namespace hada

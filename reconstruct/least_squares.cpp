@@ -1,0 +1,100 @@
+#include "reconstruct/least_squares.h"
+
+#include <cstddef>
+
+#include "reconstruct/tile_fit.h"
+
+namespace hada {
+namespace {
+
+constexpr float doubt = 3.0f;  // sigma; one of 370 normal errors lies beyond
+
+template <bool near>
+[[gnu::always_inline]] inline void fit(Tile& tile) {
+  for (int first = 0; first < tile.pixels; first += lane_count) {
+    const Block<near> block{tile, first};
+    NormalEquations sums;
+    for (int k = 0; k < tile.lights; ++k) {
+      const Lanes trust = block.trust(k);
+      sums.add(trust, block.to_light(k), block.grey(k));
+      store(&tile.weight[tile.at(k, first)], trust);
+    }
+    const Inverse inverse(sums);
+    Lanes3 found = inverse * sums.right;
+    Lanes3 left{};  // once more on the residuals: takes rounding off
+    for (int k = 0; k < tile.lights; ++k) {
+      const Lanes r = block.trust(k) * residual(block, k, found);
+      const Lanes3 l = block.to_light(k);
+      left.x += l.x * r;
+      left.y += l.y * r;
+      left.z += l.z * r;
+    }
+    const Lanes3 step = inverse * left;
+    found.x += step.x;
+    found.y += step.y;
+    found.z += step.z;
+    store(tile, first, found);
+  }
+}
+
+template <bool near>
+[[gnu::always_inline]] inline void look(const Tile& tile, std::uint8_t* doubtful) {
+  for (int first = 0; first < tile.pixels; first += lane_count) {
+    const Block<near> block{tile, first};
+    const auto pixel = std::size_t(first);
+    const Lanes3 found{load(&tile.x[pixel]), load(&tile.y[pixel]), load(&tile.z[pixel])};
+    Lanes most{};
+    Lanes least = all(1.0f);
+    for (int k = 0; k < tile.lights; ++k) {
+      const Lanes predicted = dot(block.to_light(k), found);
+      most = larger(most, magnitude(block.grey(k) - predicted));
+      least = smaller(least, smaller(predicted, block.trust(k)));
+    }
+    const LaneBits bad = (most > all(doubt) * least_sigma(tile, found)) | (least <= all(0.0f));
+    for (int i = 0; i < lane_count; ++i) doubtful[first + i] = bad[i] != 0;
+  }
+}
+
+[[gnu::always_inline]] inline void multiply(Tile& tile, const std::vector<float>& pseudo_inverse) {
+  const float* to_x = pseudo_inverse.data();
+  const float* to_y = to_x + tile.lights;
+  const float* to_z = to_y + tile.lights;
+  for (int first = 0; first < tile.pixels; first += lane_count) {
+    const Block<false> block{tile, first};
+    Lanes3 found{};
+    for (int k = 0; k < tile.lights; ++k) {
+      const Lanes grey = block.grey(k);
+      found.x += all(to_x[k]) * grey;
+      found.y += all(to_y[k]) * grey;
+      found.z += all(to_z[k]) * grey;
+    }
+    store(tile, first, found);
+  }
+}
+
+}  // namespace
+
+[[gnu::target_clones("avx2", "default")]] void fit_least_squares(Tile& tile) {
+  if (tile.near) {
+    fit<true>(tile);
+  } else {
+    fit<false>(tile);
+  }
+}
+
+[[gnu::target_clones("avx2", "default")]] void fit_pseudo_inverse(
+    Tile& tile, const std::vector<float>& pseudo_inverse) {
+  multiply(tile, pseudo_inverse);
+}
+
+[[gnu::target_clones("avx2", "default")]] void screen(const Tile& tile,
+                                                      std::vector<std::uint8_t>& doubtful) {
+  doubtful.resize(std::size_t(tile.stride));
+  if (tile.near) {
+    look<true>(tile, doubtful.data());
+  } else {
+    look<false>(tile, doubtful.data());
+  }
+}
+
+}  // namespace hada

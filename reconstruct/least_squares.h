@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reconstruct/tile.h"
+
+namespace hada {
+
+/// Least squares over the samples that may count: rho n = (sum l l^T)^-1 sum l I.
+///
+/// Source: R. J. Woodham, Optical Engineering 19 (1980).
+void fit_least_squares(Tile& tile);
+
+/// The same where every sample counts and the lights are distant, so that one matrix serves all.
+///
+/// pseudo_inverse  of the directions: three rows of `tile.lights` values
+void fit_pseudo_inverse(Tile& tile, const std::vector<float>& pseudo_inverse);
+
+/// 1 where least squares leaves a pixel a residual that its noise does not explain (over 2.5
+/// sigma), where a sample may not count, or where the normal looks away from a light; else 0.
+///
+/// found  tile.x, y, z, by least squares
+void screen(const Tile& tile, std::vector<std::uint8_t>& doubtful);
+
+}  // namespace hada

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reconstruct/estimator.h"
+#include "reconstruct/shared_terms.h"
+#include "reconstruct/tile.h"
+
+namespace hada {
+
+/// What is common to all pixels of a stack before any of them is solved.
+struct NormalPlan {
+  Estimator estimator = default_estimator;
+  std::vector<float> pseudo_inverse;  // of the distant lights: three rows
+  NoiseLaw noise;
+  SharedTerms terms;
+  bool shared = false;  // whether `terms` are taken off
+};
+
+/// Solves tiles, one after another, with room of its own: one for each thread.
+class TileSolver {
+ public:
+  TileSolver(const NormalPlan& plan, const Tile& like);
+
+  /// Finds tile.x, y, z and tile.weight as the estimator of the plan says; all but `robust_pca`,
+  /// which looks at all pixels at once.
+  ///
+  /// all_trusted  whether every sample of the tile may count
+  void solve(Tile& tile, bool all_trusted);
+
+ private:
+  void solve_robust(Tile& tile, bool all_trusted);
+
+  const NormalPlan& plan_;
+  Tile doubtful_;  // the pixels that least squares does not explain, close together
+  std::vector<std::uint8_t> flags_;
+  std::vector<int> places_;
+};
+
+/// How often the shared terms are taken off anew once the normals have moved.
+inline constexpr int shared_rounds = 3;
+
+}  // namespace hada
