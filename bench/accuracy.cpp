@@ -51,8 +51,12 @@ double mean_angle_deg(const std::vector<Light>& found, const Json& truth) {
   return sum;
 }
 
-// What a tool may read of a rendered scene, without the boxes.
-CaptureFile rendered_capture(const fs::path& scene, const Json& inputs) {
+BoxPx box_from(const Json& corners) {
+  return {corners[0], corners[1], corners[2], corners[3]};
+}
+
+// What a tool may read of a rendered scene.
+CaptureFile rendered_capture(const fs::path& scene, const Json& inputs, Boxes boxes) {
   CaptureFile file;
   file.folder = scene;
   for (const auto& image : inputs["images"]) {
@@ -65,6 +69,12 @@ CaptureFile rendered_capture(const fs::path& scene, const Json& inputs) {
   if (inputs.contains("camera_distance_mm")) {
     file.camera =
         CaptureFile::CameraHint{true, std::nullopt, inputs["camera_distance_mm"].get<double>()};
+  }
+  if (boxes == Boxes::none) return file;
+  file.sample_box = box_from(inputs["sheet_box_px"]);
+  for (const auto& sphere : inputs["spheres"]) {
+    const SphereKind kind = sphere["kind"] == "matte" ? SphereKind::matte : SphereKind::chrome;
+    file.spheres.push_back({kind, box_from(sphere["box_px"]), sphere["diameter_mm"].get<double>()});
   }
   return file;
 }
@@ -171,10 +181,10 @@ RelightingScore relighting(const fs::path& data, const std::string& object) {
   return {result.relighting_error, double(kept) / double(asked)};
 }
 
-RenderedScore rendered(const fs::path& scene) {
+RenderedScore rendered(const fs::path& scene, Boxes boxes) {
   const Json inputs = json_at(scene / "inputs.json");
   const Json truth = json_at(scene / "truth" / "truth.json");
-  const LitCapture capture = lit(load_photographs(rendered_capture(scene, inputs)));
+  const LitCapture capture = lit(load_photographs(rendered_capture(scene, inputs, boxes)));
   const Calibration& calibration = *capture.calibration;
   RenderedScore score;
   count_spheres(score, truth, calibration);

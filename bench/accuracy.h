@@ -32,11 +32,12 @@ struct RenderedScore {
   int spheres_true = 0;
   int spheres_found = 0;  // within 5 % of a true radius of a true one, of the right kind
   int spheres_false = 0;
-  double lights_deg = 0.0;  // mean over lights; of point lights at the nearest sphere
+  double lights_deg = 0.0;  // mean over lights, seen from the middle of the sample
   double normals_deg = 0.0;
   double height_share = 0.0;  // root mean square error over the true standard deviation
 };
-RenderedScore rendered(const std::filesystem::path& scene);
+enum class Boxes { none, given };  // rough hints of where spheres and sample are
+RenderedScore rendered(const std::filesystem::path& scene, Boxes boxes = Boxes::none);
 
 /// The shipped recipe once through the virtual camera and back.
 struct LoopScore {
