@@ -10,6 +10,7 @@
 #include "app/commands/compare.h"
 #include "app/commands/demo.h"
 #include "app/commands/fit.h"
+#include "app/commands/integrate.h"
 #include "app/commands/materials.h"
 #include "app/commands/measure.h"
 #include "app/commands/photograph.h"
@@ -151,6 +152,33 @@ void add_measuring(Commands& commands) {
                          estimator_names());
                  add_out(command, a, "surface folder to write")->required();
                });
+  commands.add(
+      "integrate", "Turn a normal map of another program into a height",
+      "hada integrate normals.png --mask mask.png --intrinsics K.txt -o out/surface",
+      integrate_command, [](CLI::App& command, IntegrateArguments& a) {
+        command
+            .add_option("normals", a.normals,
+                        "x, y, z: signed floats, or integers of 8 or 16 bits for -1 to 1")
+            ->required();
+        command.add_option("--mask", a.mask,
+                           "picture that is brighter than half where pixels count");
+        command.add_option("--intrinsics", a.intrinsics,
+                           "text file with the matrix fx 0 cx, 0 fy cy, 0 0 1 of the camera, in "
+                           "pixels (default: seen from straight above)");
+        command.add_option("--weights", a.weights,
+                           "picture: how much each pixel counts, 1 over its variance");
+        add_pitch(command, a);
+        command.add_flag("--y-down", a.y_down, "the y of the normals points down (default: up)");
+        command
+            .add_option("--jumps", a.jumps,
+                        "whether the height may jump: none, allowed or automatic (default)")
+            ->check(CLI::IsMember({"none", "allowed", "automatic"}));
+        command
+            .add_option("--levelling", a.levelling,
+                        "what to take off the height: offset (default), plane or quadratic")
+            ->check(CLI::IsMember({"offset", "plane", "quadratic"}));
+        add_out(command, a, "surface folder to write")->required();
+      });
   commands.add("measure", "Describe a surface: spectrum, rings, sectors, roughness",
                "hada measure out/surface -o out/measured", measure_command,
                [](CLI::App& command, MeasureArguments& a) {

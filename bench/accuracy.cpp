@@ -15,6 +15,8 @@
 #include "capture/light_stack.h"
 #include "io/image_file.h"
 #include "io/json.h"
+#include "io/normal_file.h"
+#include "reconstruct/integrate.h"
 #include "reconstruct/reconstruct.h"
 
 namespace hada {
@@ -133,6 +135,37 @@ SphereAgreement sphere_agreement(const fs::path& data) {
     agreement.max_deg = std::max(agreement.max_deg, angle);
   }
   return agreement;
+}
+
+DepthScore normals_to_depth(const fs::path& data, const std::string& object) {
+  const fs::path folder = data / "normals_to_depth" / object;
+  NormalFile file = read_normals(folder / "normal_map.png", false);
+  const Image mask = read_image(folder / "mask.png").image;
+  const Image truth = read_image(folder / "depth_mm.tif").image;
+  for (std::size_t i = 0; i < file.mask.size(); ++i) {
+    file.mask[i] = file.mask[i] && mask.planes[0][i] > 0.5f;
+  }
+  const Eigen::Matrix3d k = read_intrinsics(folder / "K.txt");
+  IntegrateOptions options;
+  options.pin_hole = PinHole{{k(0, 0), k(1, 1)}, {k(0, 2) + 0.5, k(1, 2) + 0.5}};
+  const Integrated found =
+      integrate_with_jumps(file.normals, file.mask, 1.0, Jumps::automatic, options);
+  std::vector<double> scales;
+  const auto depth = [&](std::size_t i) { return k(0, 0) - double(found.height[i]); };
+  const auto known = [&](std::size_t i) {
+    return file.mask[i] && std::isfinite(truth.planes[0][i]);
+  };
+  for (std::size_t i = 0; i < file.mask.size(); ++i) {
+    if (known(i)) scales.push_back(truth.planes[0][i] / depth(i));
+  }
+  std::vector<double> sorted = scales;
+  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < file.mask.size(); ++i) {
+    if (known(i)) sum += std::abs(*middle * depth(i) - truth.planes[0][i]);
+  }
+  return {sum / double(scales.size()), found.may_jump, found.reason};
 }
 
 double diligent_ball_error_deg(const fs::path& data) {

@@ -20,6 +20,14 @@ SphereAgreement sphere_agreement(const std::filesystem::path& data);
 /// lights that its makers measured and all samples, in degrees.
 double diligent_ball_error_deg(const std::filesystem::path& data);
 
+/// Scanned normals of a DiLiGenT object integrated with its camera, jumps decided automatically.
+struct DepthScore {
+  double error_mm = 0.0;  // mean absolute error of the depth, after the median of the scale
+  bool may_jump = false;
+  std::string reason;
+};
+DepthScore normals_to_depth(const std::filesystem::path& data, const std::string& object);
+
 /// A real object reconstructed under the lights of the grey sphere (uw buddha, cat, rock).
 struct RelightingScore {
   double relighting_error = 0.0;  // root mean square, relative, over lit samples

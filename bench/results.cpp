@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "bench/accuracy.h"
+#include "bench/integration_study.h"
 #include "bench/light_study.h"
 #include "bench/normals_speed.h"
 #include "bench/normals_study.h"
@@ -230,6 +232,62 @@ std::string wrinkle_fits() {
   return page + ends;
 }
 
+std::string integration_speed() {
+  say("integration, beside other solvers");
+  std::string page =
+      table("Normals to height: processor time on one thread, setup included",
+            "| mask | solver | time | passes over the array | times hada | error, rms |");
+  for (const auto& [kind, name, size] : {std::tuple(hada::MaskKind::irregular, "irregular", 1024),
+                                         std::tuple(hada::MaskKind::irregular, "irregular", 4096),
+                                         std::tuple(hada::MaskKind::slits, "slits", 4096),
+                                         std::tuple(hada::MaskKind::full, "none", 4096)}) {
+    const double pass = hada::one_pass_seconds(size);
+    const auto scene = hada::integration_scene(kind, size);
+    const auto ours = hada::run_ours(scene, 5);
+    const auto add = [&](const hada::SolverRun& run) {
+      page += row({fmt::format("{}, {} x {}", name, size, size), run.solver,
+                   fmt::format("{:.3f} s", run.seconds), fmt::format("{:.0f}", run.seconds / pass),
+                   fmt::format("{:.1f}", run.seconds / ours.seconds),
+                   fmt::format("{:.1e} px", run.error_px)});
+    };
+    add(ours);
+    if (size == 1024) add(hada::run_eigen_cg(scene));
+    if (size == 1024 || kind == hada::MaskKind::full) {
+      for (const auto& run : hada::run_peers(scene)) add(run);
+    }
+  }
+  return page +
+         "\nA pass reads an array of floats of that size once; the small one stays in the cache.\n";
+}
+
+std::string depth_from_normals() {
+  const fs::path data = hada::data_folder();
+  std::string page =
+      table("Depth from scanned normals: four DiLiGenT objects, perspective, jumps automatic",
+            "| object | published, bilateral and plain | mean absolute error | | chosen |");
+  if (!fs::exists(data / "normals_to_depth")) {
+    return page + row({"all", "", "not here: skipped", "", ""});
+  }
+  struct Published {
+    const char* object;
+    double bilateral_mm;
+    double plain_mm;
+  };
+  double mean = 0.0;
+  for (const Published& p :
+       {Published{"bear", 0.334, 0.138}, Published{"cat", 0.074, 2.124},
+        Published{"goblet", 9.018, 8.922}, Published{"reading", 0.257, 2.837}}) {
+    say(p.object);
+    const auto score = hada::normals_to_depth(data, p.object);
+    mean += score.error_mm / 4.0;
+    page += row({p.object, fmt::format("{:.3f}, {:.3f} mm", p.bilateral_mm, p.plain_mm),
+                 fmt::format("{:.3f} mm", score.error_mm),
+                 verdict(score.error_mm <= std::min(p.bilateral_mm, p.plain_mm)),
+                 score.may_jump ? "edge-aware" : "least squares"});
+  }
+  return page + fmt::format("\nMean of the four: {:.2f} mm.\n", mean);
+}
+
 std::string program() {
   say("the program itself");
   std::vector<double> seconds, memory;
@@ -287,6 +345,8 @@ int main(int argc, char** argv) {
   page += light_intervals();
   page += estimators();
   page += virtual_captures();
+  page += depth_from_normals();
+  page += integration_speed();
   page += wrinkle_fits();
   page += of_program;
   std::ofstream(argv[1]) << page;

@@ -15,7 +15,7 @@
 namespace hada {
 namespace {
 
-constexpr int draws = 24;
+constexpr int draws = 64;
 constexpr int smoothing_px = 6;
 constexpr double most_cells = 250000.0;
 constexpr Seed seed =
@@ -109,10 +109,17 @@ Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sig
   while (pixels / (double(factor) * factor) > most_cells) factor *= 2;
   const Lattice lattice(normals, normal_sigma, mask, factor);
 
+  // A hundredth of the slope errors, in px: heights err by more than they do.
+  double squares = 0.0;
+  for (const auto& root : lattice.root) squares += double(root.squaredNorm());
+  const double cells =
+      double(std::count(lattice.mask.begin(), lattice.mask.end(), std::uint8_t(1)));
+  const double tolerance_px = 0.01 * std::sqrt(0.5 * squares / std::max(cells, 1.0));
+
   SlopeSolver solver(lattice.mask);
   Grid<float> variance_px(lattice.mask.rows(), lattice.mask.cols());
   for (int draw = 0; draw < draws; ++draw) {
-    Grid<float> error = solver.height(drawn_slopes(lattice, draw), 1e-3, 100);
+    Grid<float> error = solver.height(drawn_slopes(lattice, draw), tolerance_px, 100);
     level(error, lattice.mask, levelling);
     for (std::size_t i = 0; i < error.size(); ++i) variance_px[i] += error[i] * error[i] / draws;
   }

@@ -11,7 +11,7 @@ namespace hada {
 /// Independent errors of the normals are drawn, integrated and levelled as the height is, and the
 /// spread at each pixel (smoothed over its neighbourhood) is returned.
 ///
-/// The draws are 24; a mask above a quarter of a million pixels is drawn on a coarser lattice, and
+/// The draws are 64; a mask above a quarter of a million pixels is drawn on a coarser lattice, and
 /// each octave of detail left out adds its share, v pitch^2 ln 2 / (2 pi) for slopes of variance v.
 /// An error that all pixels share (a light that is off) bends the whole sheet and is not in here.
 ///

@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <fmt/format.h>
 
 #include "core/error.h"
+#include "reconstruct/edge_aware.h"
 #include "reconstruct/slope_solver.h"
 
 namespace hada {
@@ -77,6 +83,68 @@ void subtract_region_means(const Eigen::SparseMatrix<double>& laplacian, Eigen::
   }
 }
 
+Grid<float> height_px(const SlopeMap& slopes, const Mask& mask, const IntegrateOptions& options) {
+  std::optional<EdgeWeights> weights;
+  if (!options.weight.empty()) weights = edge_weights(options.weight);
+  return SlopeSolver(mask, std::move(weights))
+      .height(slopes, options.tolerance_px, options.max_cycles);
+}
+
+Grid<float> in_units(Grid<float> height, double pitch, const std::optional<PinHole>& pin_hole) {
+  for (float& value : height) value = float(value * pitch);
+  if (pin_hole) height_from_log_depth(height, pin_hole->focal_px.x() * pitch);
+  return height;
+}
+
+// A pixel at an outline is a mixture of two surfaces: where it looks away by more than 81 degrees,
+// its slope would decide how far the one lies behind the other.
+constexpr float least_facing_at_jumps = 0.15f;
+constexpr double least_rms = 0.02;   // px; below, whatever there is can stay
+constexpr double least_share = 0.5;  // normal errors have 8 % of their squares in the worst 1 %
+constexpr double least_held_together = 0.98;
+
+EdgeAware with_jumps(const NormalMap& normals, const Mask& mask, const IntegrateOptions& options) {
+  return edge_aware_height(slopes_of(normals, mask, options.pin_hole, least_facing_at_jumps),
+                           facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask);
+}
+
+struct Disagreement {
+  double rms = 0.0;             // of the steps of a height and the rises they should have, px
+  double share_of_worst = 0.0;  // of the squared curl, in the worst 1 % of all squares of pixels
+};
+
+// Round a square of four pixels the rises of any height add up to 0. Errors of the normals leave a
+// little everywhere, a jump leaves much along a line.
+Disagreement disagreement(const Grid<float>& height, const SlopeMap& slopes, const Mask& mask) {
+  const EdgeRises rises = rises_of(slopes, mask);
+  double sum = 0.0;
+  double count = 0.0;
+  std::vector<double> curls;
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      const auto inside = [&](int r, int c) { return mask.contains(r, c) && mask(r, c); };
+      const auto add = [&](int r, int c, float rise) {
+        sum += std::pow(double(height(r, c)) - height(row, col) - rise, 2);
+        count += 1.0;
+      };
+      if (!inside(row, col)) continue;
+      const bool right = inside(row, col + 1);
+      const bool below = inside(row + 1, col);
+      if (right) add(row, col + 1, rises.east(row, col));
+      if (below) add(row + 1, col, rises.south(row, col));
+      if (!right || !below || !inside(row + 1, col + 1)) continue;
+      curls.push_back(std::pow(double(rises.east(row, col)) + rises.south(row, col + 1) -
+                                   rises.east(row + 1, col) - rises.south(row, col),
+                               2));
+    }
+  }
+  const double curl = std::accumulate(curls.begin(), curls.end(), 0.0);
+  if (curl == 0.0) return {};
+  const auto worst = curls.begin() + std::ptrdiff_t(0.99 * double(curls.size()));
+  std::nth_element(curls.begin(), worst, curls.end());
+  return {std::sqrt(sum / count), std::accumulate(worst, curls.end(), 0.0) / curl};
+}
+
 }  // namespace
 
 Grid<float> integrate(const NormalMap& normals, const Mask& mask, double pitch,
@@ -84,11 +152,47 @@ Grid<float> integrate(const NormalMap& normals, const Mask& mask, double pitch,
   assert(normals.same_size(mask) && pitch > 0.0);
   require_pixels(mask);
   const SlopeMap slopes = slopes_of(normals, mask, options.pin_hole);
-  Grid<float> height =
-      SlopeSolver(mask).height(slopes, options.relative_tolerance, options.max_iterations);
-  for (float& value : height) value = float(value * pitch);
-  if (options.pin_hole) height_from_log_depth(height, options.pin_hole->focal_px.x() * pitch);
-  return height;
+  return in_units(height_px(slopes, mask, options), pitch, options.pin_hole);
+}
+
+Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, double pitch,
+                                Jumps jumps, const IntegrateOptions& options) {
+  require_pixels(mask);
+  if (jumps == Jumps::allowed && !options.weight.empty()) {
+    throw Error("jumps and weights cannot be had together: leave out one of them");
+  }
+  const SlopeMap slopes = slopes_of(normals, mask, options.pin_hole);
+  if (jumps != Jumps::allowed) {
+    Grid<float> height = height_px(slopes, mask, options);
+    std::string reason = "as asked";
+    if (jumps == Jumps::automatic) {
+      const Disagreement found = disagreement(height, slopes, mask);
+      reason = fmt::format(
+          "slopes disagree with the height by {:.2g} px rms, and {:.0f} % of their "
+          "curl is in 1 % of the pixels: no sign of jumps",
+          found.rms, 100.0 * found.share_of_worst);
+      if (!options.weight.empty()) reason = "weights were given";
+      const bool suspicious = found.rms > least_rms && found.share_of_worst > least_share;
+      if (suspicious && options.weight.empty()) jumps = Jumps::allowed;
+    }
+    if (jumps != Jumps::allowed) {
+      return {in_units(std::move(height), pitch, options.pin_hole), false, reason};
+    }
+    EdgeAware jumping = with_jumps(normals, mask, options);
+    if (jumping.held_together < least_held_together) {
+      return {
+          in_units(std::move(height), pitch, options.pin_hole), false,
+          fmt::format("there are signs of jumps, but they would cut {:.0f} % of the surface off "
+                      "from the rest, whose height would then be anything",
+                      100.0 * (1.0 - jumping.held_together))};
+    }
+    return {
+        in_units(std::move(jumping.height), pitch, options.pin_hole), true,
+        "the slopes disagree with any smooth height along a few lines: the surface hides parts of "
+        "itself there"};
+  }
+  return {in_units(with_jumps(normals, mask, options).height, pitch, options.pin_hole), true,
+          "as asked"};
 }
 
 Grid<double> integrate_reference(const NormalMap& normals, const Mask& mask, double pitch,

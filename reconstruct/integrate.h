@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/grid.h"
 #include "core/surface.h"
@@ -9,8 +10,9 @@
 namespace hada {
 
 struct IntegrateOptions {
-  double relative_tolerance = 1e-8;  // of the height in the energy norm, where the solver stops
-  int max_iterations = 500;
+  double tolerance_px = 1e-5;  // root mean square error of the height, where the solver stops
+  int max_cycles = 100;
+  Grid<float> weight{};  // of a pixel, > 0: 1 over its variance; empty: all count alike
   std::optional<PinHole> pin_hole{};  // absent: seen from straight above, at every pixel
 };
 
@@ -32,6 +34,26 @@ struct IntegrateOptions {
 /// Source: Horn and Brooks, CVGIP 33 (1986); Kiso et al., section 4.
 Grid<float> integrate(const NormalMap& normals, const Mask& mask, double pitch,
                       const IntegrateOptions& options = {});
+
+enum class Jumps { none, allowed, automatic };
+
+/// A height, and whether it was allowed to jump.
+struct Integrated {
+  Grid<float> height;
+  bool may_jump = false;
+  std::string reason;  // a plain sentence
+};
+
+/// `integrate`, or the edge-aware height of `edge_aware.h` where the surface seems to hide parts of
+/// itself.
+///
+/// automatic  allows jumps where the slopes do not agree with a height and most of their curl lies
+/// in a
+///            few pixels, along lines; but not if jumps would cut off parts, whose height over the
+///            rest would then be anything
+/// throws     Error as `integrate` does, or where weights are given and jumps are allowed
+Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, double pitch,
+                                Jumps jumps, const IntegrateOptions& options = {});
 
 /// The same height by plain conjugate gradients on the stored matrix A^T A, as the paper does it.
 ///

@@ -1,154 +1,241 @@
 #include "reconstruct/multigrid.h"
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "core/parallel.h"
+#include "reconstruct/coarsen.h"
+#include "reconstruct/extra_nodes.h"
+#include "reconstruct/row_kernels.h"
+#include "reconstruct/smooth.h"
 
 namespace hada {
 namespace {
 
-// Rows of a level are shared out only where that is worth the start of a thread.
-constexpr std::size_t least_parallel_size = 200000;
+constexpr std::size_t coarsest_nodes = 1000;  // factorised in a millisecond, solved in much less
+// Edges of a coarse lattice differ a little near the border of any mask, and that is no reason to
+// part its cells; where they are given weights, parting them early halves the cycles.
+constexpr float least_strength = 0.1f;
+constexpr float least_strength_weighted = 0.2f;
+constexpr int sweeps_down = 2;
+constexpr int sweeps_up = 1;
+constexpr int renew_every = 2;  // cycles between two residuals formed anew
+constexpr double slow = 0.4;    // rate of cycles above which conjugate gradients pay
 
-void for_rows(const PixelGraph& graph, int rows, const std::function<void(int, int)>& work) {
-  if (graph.size() < least_parallel_size) return work(0, rows);
-  for_slices(rows, work);
+System system_of(PixelLevel& level) {
+  return {level, level.value.data(), level.right.data()};
 }
 
-PixelGraph coarser(const PixelGraph& fine) {
-  PixelGraph coarse((fine.rows + 1) / 2, (fine.cols + 1) / 2);
-  for (int row = 0; row < fine.rows; ++row) {
-    for (int col = 0; col < fine.cols; ++col) {
-      const std::size_t cell = fine.first(row) + std::size_t(col);
-      const std::size_t parent = coarse.first(row / 2) + std::size_t(col / 2);
-      if (col % 2 == 1) coarse.east[parent] += 0.5f * fine.east[cell];
-      if (row % 2 == 1) coarse.south[parent] += 0.5f * fine.south[cell];
+void clear_extras(const PixelLevel& level, Floats& values) {
+  std::fill(values.begin() + std::ptrdiff_t(level.at.size()), values.end(), 0.0f);
+}
+
+void add_sweeps(const System& system, int count, bool from_zero, std::vector<Stage>& stages) {
+  for (int i = 0; i < count; ++i) {
+    if (i == 0 && from_zero) {
+      add_sweep_from_zero(system, stages);
+    } else {
+      add_sweep(system, stages);
     }
   }
-  coarse.update_inverse();
-  return coarse;
 }
 
-// Gauss-Seidel on the cells with (row + col) % 2 == colour; they see only those of the other.
-void smooth(const PixelGraph& graph, const std::vector<float>& right, int colour,
-            std::vector<float>& value) {
-  for_rows(graph, graph.rows, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      const std::size_t last = graph.first(row) + std::size_t(graph.cols);
-      for (std::size_t i = graph.first(row) + std::size_t((row + colour) % 2); i < last; i += 2) {
-        value[i] = (right[i] + graph.gather(value, i)) * graph.inverse[i];
-      }
-    }
+// The sum over all rows of `work(row)`, formed in row order.
+template <class Work>
+double sum_of_rows(int rows, const Work& work) {
+  std::vector<double> sums(std::size_t(rows), 0.0);
+  for_each_index(rows, [&](int row) { sums[std::size_t(row)] = work(row); });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double dot(const Dealt& at, const Floats& a, const Floats& b) {
+  return sum_of_rows(at.rows, [&](int row) {
+    const auto first = at.start(row, 0);
+    return row_kernels::dot(int(at.stride()), a.data() + first, b.data() + first);
   });
 }
 
-// The first sweep from zero: nothing to gather yet.
-void smooth_zero(const PixelGraph& graph, const std::vector<float>& right,
-                 std::vector<float>& value) {
-  for_rows(graph, graph.rows, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      const std::size_t first = graph.first(row);
-      for (std::size_t i = first; i < first + std::size_t(graph.cols); ++i) {
-        value[i] = right[i] * graph.inverse[i];
-      }
-    }
-  });
-}
-
-// The residual, added up over the cells of each parent.
-void restrict_residual(const PixelGraph& fine, const std::vector<float>& value,
-                       const std::vector<float>& right, const PixelGraph& coarse,
-                       std::vector<float>& coarse_right) {
-  for_rows(fine, coarse.rows, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      const std::size_t parent = coarse.first(row);
-      std::fill_n(coarse_right.begin() + std::ptrdiff_t(parent), coarse.cols, 0.0f);
-      for (int child = 2 * row; child < std::min(2 * row + 2, fine.rows); ++child) {
-        const std::size_t first = fine.first(child);
-        for (int col = 0; col < fine.cols; ++col) {
-          const std::size_t i = first + std::size_t(col);
-          if (fine.inverse[i] == 0.0f) continue;
-          coarse_right[parent + std::size_t(col / 2)] +=
-              right[i] + fine.gather(value, i) - value[i] / fine.inverse[i];
-        }
-      }
-    }
-  });
-}
-
-void add_coarse(const PixelGraph& coarse, const std::vector<float>& coarse_value,
-                const PixelGraph& fine, std::vector<float>& value) {
-  for_rows(fine, fine.rows, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      const std::size_t first = fine.first(row);
-      const std::size_t parent = coarse.first(row / 2);
-      for (int col = 0; col < fine.cols; ++col) {
-        value[first + std::size_t(col)] += coarse_value[parent + std::size_t(col / 2)];
-      }
-    }
+void add_times(const Dealt& at, double factor, const Floats& x, Floats& total) {
+  for_each_index(at.rows, [&](int row) {
+    const auto first = at.start(row, 0);
+    row_kernels::add_times(int(at.stride()), float(factor), x.data() + first, total.data() + first);
   });
 }
 
 }  // namespace
 
-PixelGraph::PixelGraph(int row_count, int col_count) : rows(row_count), cols(col_count) {
-  east.assign(size(), 0.0f);
-  south.assign(size(), 0.0f);
-  inverse.assign(size(), 0.0f);
+Multigrid::Multigrid(PixelLevel finest) {
+  const auto add = [this](PixelLevel level) {
+    level.value.assign(level.nodes(), 0.0f);
+    level.right.assign(level.nodes(), 0.0f);
+    levels_.push_back(std::move(level));
+    return CoarsestSolver::size_of(levels_.back());
+  };
+  const float least = finest.unit() ? least_strength : least_strength_weighted;
+  std::size_t nodes = add(std::move(finest));
+  cells_ = double(nodes);
+  // Parts that hang together weakly are not joined, however small they are: stop when few were.
+  for (std::size_t finer = 2 * nodes; nodes > coarsest_nodes && nodes < 0.8 * double(finer);) {
+    finer = std::exchange(nodes, add(coarsened(levels_.back(), least)));
+  }
+  coarsest_.emplace(levels_.back());
 }
 
-PixelGraph::PixelGraph(const Mask& mask) : PixelGraph(mask.rows(), mask.cols()) {
-  for (int row = 0; row < rows; ++row) {
-    for (int col = 0; col < cols; ++col) {
-      if (!mask(row, col)) continue;
-      const std::size_t cell = first(row) + std::size_t(col);
-      if (col + 1 < cols && mask(row, col + 1)) east[cell] = 1.0f;
-      if (row + 1 < rows && mask(row + 1, col)) south[cell] = 1.0f;
-    }
-  }
-  update_inverse();
+void Multigrid::run(std::size_t index, const std::vector<Stage>& stages) {
+  run_wavefront(levels_[index].at.rows, levels_[index].at.size(), stages);
 }
 
-void PixelGraph::update_inverse() {
-  for (int row = 0; row < rows; ++row) {
-    for (std::size_t i = first(row); i < first(row) + std::size_t(cols); ++i) {
-      const float sum = east[i] + east[i - 1] + south[i] + south[i - stride()];
-      inverse[i] = sum > 0.0f ? 1.0f / sum : 0.0f;
-    }
+void Multigrid::go_down(std::size_t index, bool from_zero) {
+  PixelLevel& level = levels_[index];
+  PixelLevel& coarse = levels_[index + 1];
+  if (from_zero) clear_extras(level, level.value);
+  clear_extras(coarse, coarse.right);
+  relax_extras(level, level.value, level.right, from_zero);
+  {
+    const PulledByExtras pulled(level, level.value, level.right);
+    std::vector<Stage> stages;
+    add_sweeps(system_of(level), sweeps_down, from_zero, stages);
+    add_restriction(system_of(level), coarse, stages);
+    run(index, stages);
   }
+  restrict_extras(level, level.value, level.right, coarse);
 }
 
-Multigrid::Multigrid(const Mask& mask) {
-  PixelGraph graph(mask);
-  while (true) {
-    const std::size_t size = graph.size();
-    levels_.push_back({std::move(graph), std::vector<float>(size), std::vector<float>(size)});
-    const PixelGraph& last = levels_.back().graph;
-    if (last.rows <= 1 && last.cols <= 1) break;
-    graph = coarser(last);
+void Multigrid::go_up(std::size_t index) {
+  PixelLevel& level = levels_[index];
+  const PixelLevel& coarse = levels_[index + 1];
+  correct_extras(level, coarse, level.value);
+  {
+    const PulledByExtras pulled(level, level.value, level.right);
+    std::vector<Stage> stages;
+    add_correction(system_of(level), coarse, stages);
+    add_sweeps(system_of(level), sweeps_up, false, stages);
+    run(index, stages);
   }
+  relax_extras(level, level.value, level.right, false);
 }
 
 void Multigrid::cycle(std::size_t index, bool from_zero) {
-  auto& [graph, value, right] = levels_[index];
-  constexpr int red = 0;
-  constexpr int black = 1;
-  if (from_zero) {
-    smooth_zero(graph, right, value);
-  } else {
-    smooth(graph, right, red, value);
+  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
+  go_down(index, from_zero);
+  cycle(index + 1, true);
+  go_up(index);
+}
+
+// The solution of a level from nothing but its right-hand side.
+void Multigrid::full_cycle(std::size_t index) {
+  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
+  PixelLevel& level = levels_[index];
+  restrict_right(level, levels_[index + 1]);
+  full_cycle(index + 1);
+  std::fill(level.value.begin(), level.value.end(), 0.0f);
+  go_up(index);
+  cycle(index, false);
+}
+
+// Root mean square of what the second level has to correct.
+double Multigrid::coarse_size() const {
+  const PixelLevel& coarse = levels_[1];
+  return std::sqrt(4.0 * dot(coarse.at, coarse.value, coarse.value) / cells_);
+}
+
+Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
+  PixelLevel& level = levels_.front();
+  Solution solution;
+  if (levels_.size() == 1) {
+    coarsest_->solve(level);
+    solution.value = level.value;
+    return solution;
   }
-  smooth(graph, right, black, value);
-  if (index + 1 < levels_.size()) {
-    Level& next = levels_[index + 1];
-    restrict_residual(graph, value, right, next.graph, next.right);
-    cycle(index + 1, true);
-    if (index + 2 < levels_.size()) cycle(index + 1, false);
-    add_coarse(next.graph, next.value, graph, value);
+  const System system = system_of(level);
+  solution.value.assign(level.value.size(), 0.0f);
+  if (!level.unit()) {
+    conjugate_steps(tolerance, max_cycles, solution);
+    return solution;
   }
-  smooth(graph, right, black, value);
-  smooth(graph, right, red, value);
+  restrict_right(level, levels_[1]);
+  full_cycle(1);
+  std::fill(level.value.begin(), level.value.end(), 0.0f);
+  double last = 0.0;
+  double rate = 1.0;
+  while (true) {
+    std::vector<Stage> stages;
+    add_correction(system, levels_[1], stages);
+    add_sweeps(system, sweeps_up, false, stages);
+    const bool first = solution.cycles == 0;
+    const bool renew = solution.cycles % renew_every == 0;
+    const bool slowly = solution.cycles > 2 && rate > slow;
+    const bool end = (!first && solution.error < tolerance) || solution.cycles == max_cycles;
+    if (renew || end || slowly) {
+      add_rounding(system, magic_, stages);
+      add_subtraction(system, stages);
+      add_to_total(system, solution.value.data(), first, stages);
+    }
+    if (end || slowly) {
+      run(0, stages);
+      if (!end) conjugate_steps(tolerance, max_cycles, solution);
+      return solution;
+    }
+    add_sweeps(system, sweeps_down, renew, stages);
+    add_restriction(system, levels_[1], stages);
+    clear_extras(levels_[1], levels_[1].right);
+    run(0, stages);
+    cycle(1, true);
+    ++solution.cycles;
+    const double size = coarse_size();
+    rate = last > 0.0 ? std::min(size / last, 0.9) : 0.9;
+    last = size;
+    solution.error = size * rate / (1.0 - rate);  // what all further cycles would add
+  }
+}
+
+// Flexible conjugate gradients: every cycle gives a direction, which is made independent of the
+// last ones as far as the energy goes, and of which the best multiple is taken.
+void Multigrid::conjugate_steps(double tolerance, int max_cycles, Solution& solution) {
+  struct Direction {
+    Floats step;
+    Floats image;  // A step
+    double energy = 0.0;
+  };
+  constexpr std::size_t remembered = 3;
+  PixelLevel& level = levels_.front();
+  std::vector<Direction> directions;
+  double last = 0.0;
+  while (solution.cycles < max_cycles) {
+    const Floats residual = level.right;
+    if (solution.cycles == 0) {
+      full_cycle(0);
+    } else {
+      cycle(0, true);
+    }
+    ++solution.cycles;
+    std::vector<Stage> stages;
+    add_rounding(system_of(level), magic_, stages);
+    add_subtraction(system_of(level), stages);
+    run(0, stages);
+    Direction direction{level.value, residual};
+    add_times(level.at, -1.0, level.right, direction.image);
+    for (const Direction& earlier : directions) {
+      const double share = dot(level.at, direction.step, earlier.image) / earlier.energy;
+      add_times(level.at, -share, earlier.step, direction.step);
+      add_times(level.at, -share, earlier.image, direction.image);
+    }
+    direction.energy = dot(level.at, direction.step, direction.image);
+    if (!(direction.energy > 0.0) || !std::isfinite(direction.energy)) return;
+    const double length = dot(level.at, residual, direction.step) / direction.energy;
+    add_times(level.at, length, direction.step, solution.value);
+    level.right = residual;
+    add_times(level.at, -length, direction.image, level.right);
+    const double size =
+        std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
+    solution.error = 2.0 * std::max(size, last);  // steps do not shrink evenly
+    last = size;
+    if (solution.error < tolerance) return;
+    if (directions.size() == remembered) directions.erase(directions.begin());
+    directions.push_back(std::move(direction));
+  }
 }
 
 }  // namespace hada

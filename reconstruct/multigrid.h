@@ -1,68 +1,59 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "core/grid.h"
+#include "reconstruct/coarsest.h"
+#include "reconstruct/pixel_level.h"
+#include "reconstruct/wavefront.h"
 
 namespace hada {
 
-/// The graph of neighbouring pixels of a mask, with a weight on every edge.
+/// Solves A x = right on a graph of pixels, A its Laplacian, matrix-free and in single precision.
 ///
-/// One ring of empty cells surrounds the grid, so that no loop asks whether a neighbour exists:
-/// cell (row, col) is at (row + 1) * stride + col + 1, and edges that are not there weigh 0.
-struct PixelGraph {
-  int rows = 0;
-  int cols = 0;
-  std::vector<float> east;     // weight of the edge to the cell on the right
-  std::vector<float> south;    // to the cell below
-  std::vector<float> inverse;  // 1 / sum of the weights at a cell, 0 for a lonely one
-
-  PixelGraph(int rows, int cols);
-  /// Edges of weight 1 between neighbours that both are in `mask`.
-  explicit PixelGraph(const Mask& mask);
-
-  std::size_t stride() const { return std::size_t(cols) + 2; }
-  std::size_t size() const { return (std::size_t(rows) + 2) * stride(); }
-  std::size_t first(int row) const { return (std::size_t(row) + 1) * stride() + 1; }
-  void update_inverse();
-
-  /// Sum over the edges at `cell` of weight times the value at the other end.
-  template <class T>
-  T gather(const std::vector<T>& value, std::size_t cell) const {
-    return T(east[cell]) * value[cell + 1] + T(east[cell - 1]) * value[cell - 1] +
-           T(south[cell]) * value[cell + stride()] +
-           T(south[cell - stride()]) * value[cell - stride()];
-  }
-};
-
-/// An approximate inverse of the Laplacian of a pixel graph: one multigrid cycle from zero.
+/// Full multigrid finds a first height; the residual is then formed from differences of neighbours,
+/// since the height of a large surface is rounded more coarsely than a residual may be; cycles on
+/// that residual find a correction, small enough for its roundings not to matter, and so on.
 ///
-/// Cells are joined 2 x 2; a coarse edge weighs half of the edges it stands for, which keeps the
-/// stiffness of a plate and of a path one pixel wide alike. Red-black Gauss-Seidel, black-red on
-/// the way back, and two visits of each coarser level: symmetric, as conjugate gradients ask.
-/// Source: Briggs, Henson, McCormick, A multigrid tutorial (2000); the halving of piecewise
-/// constant coarse operators: Braess, Computing 55 (1995).
+/// All that a cycle does on a level between two visits of the coarser one runs as one wavefront
+/// over the rows, so a cycle costs little more than reading its arrays once. Should cycles alone
+/// settle slowly, as on masks like a sieve, each becomes a step of flexible conjugate gradients.
+/// Source: W. L. Briggs, V. E. Henson, S. F. McCormick, A multigrid tutorial (2000); Y. Notay,
+/// Flexible conjugate gradients, SIAM J. Sci. Comput. 22 (2000).
 class Multigrid {
  public:
-  explicit Multigrid(const Mask& mask);
+  explicit Multigrid(PixelLevel finest);
 
-  const PixelGraph& finest() const { return levels_.front().graph; }
-  /// Set before `cycle`: the right-hand side, padded as the finest graph.
-  std::vector<float>& right() { return levels_.front().right; }
-  /// The result of `cycle`.
-  const std::vector<float>& value() const { return levels_.front().value; }
-  void cycle() { cycle(0, true); }
+  const PixelLevel& finest() const { return levels_.front(); }
+  /// Set before `solve`, laid out as the finest level; `solve` leaves a residual in it.
+  Floats& right() { return levels_.front().right; }
+
+  /// The right-hand side consists of multiples of `step`: the residual is then kept without
+  /// rounding. Returns 3 * 2^22 step, which rounds to these multiples when it is added and taken
+  /// off again.
+  float set_step(float step) { return magic_ = 3.0f * 0x1p22f * step; }
+
+  struct Solution {
+    Floats value;  // laid out as the finest level, up to a constant in each region
+    int cycles = 0;
+    double error = 0.0;  // estimate, root mean square over the cells with edges
+  };
+  /// Cycles until the error is estimated at `tolerance`, or `max_cycles` are done.
+  Solution solve(double tolerance, int max_cycles);
 
  private:
-  struct Level {
-    PixelGraph graph;
-    std::vector<float> value;
-    std::vector<float> right;
-  };
   void cycle(std::size_t index, bool from_zero);
+  void full_cycle(std::size_t index);
+  void go_down(std::size_t index, bool from_zero);
+  void go_up(std::size_t index);
+  void run(std::size_t index, const std::vector<Stage>& stages);
+  double coarse_size() const;
+  void conjugate_steps(double tolerance, int max_cycles, Solution& solution);
 
-  std::vector<Level> levels_;
+  std::vector<PixelLevel> levels_;
+  std::optional<CoarsestSolver> coarsest_;
+  float magic_ = 0.0f;
+  double cells_ = 0.0;  // with edges, of the finest level
 };
 
 }  // namespace hada

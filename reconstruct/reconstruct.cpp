@@ -218,6 +218,23 @@ Orientation orientation_of(const LightStack& stack, Estimator estimator) {
   return solve_normals(stack, options);
 }
 
+// How much the slope of each pixel counts: 1 over its variance, to which every pixel brings as much
+// as is typical, since no sigma knows all that is wrong. Dark print under sheen then bends nothing
+// but itself.
+Grid<float> slope_weight(const Grid<float>& normal_sigma, const Mask& mask) {
+  std::vector<float> sigmas;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i]) sigmas.push_back(normal_sigma[i]);
+  }
+  const float typical = std::max(median(std::move(sigmas)), 1e-9f);
+  Grid<float> weight(mask.rows(), mask.cols(), 1.0f);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    const float share = normal_sigma[i] / typical;
+    if (mask[i]) weight[i] = 2.0f / (1.0f + share * share);
+  }
+  return weight;
+}
+
 }  // namespace
 
 Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& options) {
@@ -236,7 +253,8 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   surface = cropped(found, stack.extent());
   const double pitch = surface.extent.pitch;
   surface.height = integrate(surface.normals, surface.mask, pitch,
-                             {.pin_hole = pin_hole_of(stack.camera, surface.offset_px)});
+                             {.weight = slope_weight(surface.normal_sigma, surface.mask),
+                              .pin_hole = pin_hole_of(stack.camera, surface.offset_px)});
   level(surface.height, surface.mask, options.levelling);
   surface.levelling = name_of(options.levelling);
   surface.height_sigma =

@@ -1,35 +1,74 @@
 #include "reconstruct/regions.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace hada {
+namespace {
+
+// Runs that touch are linked to the earliest run of their region.
+class Links {
+ public:
+  void add() { earlier_.push_back(earlier_.size()); }
+  std::size_t first_of(std::size_t run) {
+    while (earlier_[run] != run) run = earlier_[run] = earlier_[earlier_[run]];
+    return run;
+  }
+  void join(std::size_t a, std::size_t b) {
+    const auto [low, high] = std::minmax({first_of(a), first_of(b)});
+    earlier_[high] = low;
+  }
+
+ private:
+  std::vector<std::size_t> earlier_;
+};
+
+}  // namespace
 
 Regions regions_of(const Mask& mask) {
-  Regions regions{Grid<int>(mask.rows(), mask.cols(), 0), {0}};
-  std::vector<std::pair<int, int>> open;  // reached, but not yet left
-  const auto reach = [&](int row, int col) {
-    if (!mask.contains(row, col) || !mask(row, col) || regions.label(row, col)) return;
-    regions.label(row, col) = int(regions.size.size()) - 1;
-    ++regions.size.back();
-    open.emplace_back(row, col);
-  };
+  Regions regions;
+  regions.starts.push_back(0);
+  Links links;
   for (int row = 0; row < mask.rows(); ++row) {
+    const auto pixels = mask.row(row);
+    const std::size_t begin = regions.runs.size();
     for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col)) ++regions.size[0];
-      if (!mask(row, col) || regions.label(row, col)) continue;
-      regions.size.push_back(0);
-      reach(row, col);
-      while (!open.empty()) {
-        const auto [r, c] = open.back();
-        open.pop_back();
-        reach(r, c + 1);
-        reach(r, c - 1);
-        reach(r + 1, c);
-        reach(r - 1, c);
+      if (!pixels[std::size_t(col)]) continue;
+      const int first = col;
+      while (col < mask.cols() && pixels[std::size_t(col)]) ++col;
+      regions.runs.push_back({first, col, 0});
+      links.add();
+    }
+    std::size_t above = row > 0 ? regions.starts[std::size_t(row) - 1] : begin;
+    for (std::size_t run = begin; run < regions.runs.size(); ++run) {
+      const auto [first, last, none] = regions.runs[run];
+      while (above < begin && regions.runs[above].last <= first) ++above;
+      for (std::size_t a = above; a < begin && regions.runs[a].first < last; ++a) {
+        links.join(a, run);
       }
     }
+    regions.starts.push_back(regions.runs.size());
+  }
+  regions.size.push_back(int(mask.size()));
+  for (std::size_t run = 0; run < regions.runs.size(); ++run) {
+    Regions::Run& r = regions.runs[run];
+    const std::size_t first = links.first_of(run);
+    if (first == run) {
+      r.region = int(regions.size.size());
+      regions.size.push_back(0);
+    } else {
+      r.region = regions.runs[first].region;
+    }
+    regions.size[std::size_t(r.region)] += r.last - r.first;
+    regions.size[0] -= r.last - r.first;
   }
   return regions;
+}
+
+int Regions::label(int row, int col) const {
+  const auto runs_of_row = this->row(row);
+  const auto run = std::partition_point(runs_of_row.begin(), runs_of_row.end(),
+                                        [col](const Run& r) { return r.last <= col; });
+  return run != runs_of_row.end() && run->first <= col ? run->region : 0;
 }
 
 }  // namespace hada

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/grid.h"
@@ -8,8 +10,20 @@ namespace hada {
 
 /// The connected regions of a mask: pixels that touch along an edge belong together.
 struct Regions {
-  Grid<int> label;        // of a pixel; 0 outside the mask
-  std::vector<int> size;  // in pixels, by label; size[0] is what lies outside
+  struct Run {
+    int first;  // column
+    int last;   // one beyond
+    int region;
+  };
+  std::vector<Run> runs;            // of pixels side by side, row by row
+  std::vector<std::size_t> starts;  // of every row in `runs`, and their end
+  std::vector<int> size;            // of a region in pixels; size[0] is what lies outside
+
+  std::span<const Run> row(int row) const {
+    return {runs.data() + starts[std::size_t(row)], runs.data() + starts[std::size_t(row) + 1]};
+  }
+  /// The region of a pixel, 0 outside the mask. Regions are numbered from 1, as rows meet them.
+  int label(int row, int col) const;
 };
 
 Regions regions_of(const Mask& mask);

@@ -2,126 +2,182 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 #include "core/parallel.h"
+#include "reconstruct/row_kernels.h"
 
 namespace hada {
 namespace {
 
-using Padded = std::vector<double>;  // laid out as the finest graph
-
-// The sum over all rows of `work(row)`, formed in row order.
-template <class Work>
-double sum_of_rows(int rows, const Work& work) {
-  std::vector<double> sums(std::size_t(rows), 0.0);
-  for_each_index(rows, [&](int row) { sums[std::size_t(row)] = work(row); });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
-// A^T b: what the slopes along the edges ask of every pixel.
-Padded right_hand_side(const PixelGraph& graph, const SlopeMap& slopes) {
-  Padded right(graph.size(), 0.0);
-  for_each_index(graph.rows, [&](int row) {
-    // Rise from a pixel to its neighbour on the right, and to the one below; rows run against y.
-    const auto rise_east = [&](int col) {
-      return 0.5 * (double(slopes(row, col).x()) + slopes(row, col + 1).x());
-    };
-    const auto rise_south = [&](int upper, int col) {
-      return -0.5 * (double(slopes(upper, col).y()) + slopes(upper + 1, col).y());
-    };
-    const std::size_t first = graph.first(row);
-    for (int col = 0; col < graph.cols; ++col) {
-      const std::size_t i = first + std::size_t(col);
-      double sum = 0.0;
-      if (graph.east[i - 1] > 0.0f) sum += rise_east(col - 1);
-      if (graph.east[i] > 0.0f) sum -= rise_east(col);
-      if (graph.south[i - graph.stride()] > 0.0f) sum += rise_south(row - 1, col);
-      if (graph.south[i] > 0.0f) sum -= rise_south(row, col);
-      right[i] = sum;
-    }
-  });
-  return right;
-}
+constexpr int cycles_at_a_time = 12;
 
 }  // namespace
 
-SlopeSolver::SlopeSolver(const Mask& mask) : multigrid_(mask), regions_(regions_of(mask)) {}
-
-void SlopeSolver::subtract_region_means(Padded& value) const {
-  const PixelGraph& graph = multigrid_.finest();
-  std::vector<double> mean(regions_.size.size(), 0.0);
-  for (int row = 0; row < graph.rows; ++row) {
-    for (int col = 0; col < graph.cols; ++col) {
-      const auto region = std::size_t(regions_.label(row, col));
-      mean[region] += value[graph.first(row) + std::size_t(col)] / regions_.size[region];
+EdgeRises rises_of(const SlopeMap& slopes, const Mask& mask) {
+  EdgeRises rises{Grid<float>(mask.rows(), mask.cols()), Grid<float>(mask.rows(), mask.cols())};
+  for_each_index(mask.rows(), [&](int row) {
+    // Rows run against y.
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      const Eigen::Vector2f& here = slopes(row, col);
+      if (col + 1 < mask.cols() && mask(row, col + 1)) {
+        rises.east(row, col) = 0.5f * (here.x() + slopes(row, col + 1).x());
+      }
+      if (row + 1 < mask.rows() && mask(row + 1, col)) {
+        rises.south(row, col) = -0.5f * (here.y() + slopes(row + 1, col).y());
+      }
     }
-  }
-  for_each_index(graph.rows, [&](int row) {
-    for (int col = 0; col < graph.cols; ++col) {
-      value[graph.first(row) + std::size_t(col)] -= mean[std::size_t(regions_.label(row, col))];
+  });
+  return rises;
+}
+
+SlopeSolver::SlopeSolver(const Mask& mask, std::optional<EdgeWeights> weights)
+    : mask_(mask),
+      weights_(std::move(weights)),
+      multigrid_(weights_ ? PixelLevel::of(mask, *weights_) : PixelLevel::of(mask)),
+      regions_(regions_of(mask)) {}
+
+// A^T b: what the slopes along the edges ask of every pixel.
+void SlopeSolver::set_right(const SlopeMap& slopes) {
+  const Dealt& at = multigrid_.finest().at;
+  const int cols = at.cols;
+  const auto slopes_in = [&](int row) { return slopes.row(row).data()->data(); };
+  std::vector<float> most(std::size_t(at.rows));
+  for_each_index(at.rows, [&](int row) {
+    most[std::size_t(row)] = row_kernels::largest(2 * cols, slopes_in(row));
+  });
+  // Four rises as multiples of this step add up without any rounding, and so do those of a height:
+  // what a long, narrow mask makes of the rounding of sums could be seen in the height.
+  const float step =
+      std::exp2(
+          std::ceil(std::log2(std::max(*std::max_element(most.begin(), most.end()), 0x1p-20f)))) *
+      0x1p-21f;
+  const float magic = multigrid_.set_step(step);
+  for_slices(at.rows, [&](int begin, int end) {
+    // One empty place before the first pixel, and some after the last: rows come in pairs of
+    // pixels.
+    std::vector<float> across(std::size_t(cols) + 1, 0.0f);
+    std::vector<float> above(std::size_t(cols), 0.0f);
+    std::vector<float> below(std::size_t(cols), 0.0f);
+    std::vector<float> sum(std::size_t(at.stride()), 0.0f);
+    const auto fill_below = [&](int row) {
+      if (row < 0 || row + 1 >= at.rows) {
+        std::fill(below.begin(), below.end(), 0.0f);
+        return;
+      }
+      row_kernels::rise_down(cols, slopes_in(row), slopes_in(row + 1), mask_.row(row).data(),
+                             mask_.row(row + 1).data(), magic, below.data());
+    };
+    fill_below(begin - 1);
+    for (int row = begin; row < end; ++row) {
+      std::swap(above, below);
+      fill_below(row);
+      row_kernels::rise_across(cols - 1, slopes_in(row), mask_.row(row).data(), magic,
+                               across.data() + 1);
+      row_kernels::balance(cols, across.data() + 1, above.data(), below.data(), sum.data());
+      float* const right = multigrid_.right().data();
+      row_kernels::deal(at.block, sum.data(), right + at.start(row, 0), right + at.start(row, 1));
     }
   });
 }
 
-Grid<float> SlopeSolver::height(const SlopeMap& slopes, double relative_tolerance,
-                                int max_iterations) {
-  const PixelGraph& graph = multigrid_.finest();
-  const std::size_t cols = std::size_t(graph.cols);
-  Padded residual = right_hand_side(graph, slopes);
-  Padded height(graph.size(), 0.0);
-  Padded direction(graph.size(), 0.0);
-  Padded image(graph.size(), 0.0);  // of the direction, under the Laplacian
-  double energy = 0.0;              // residual times preconditioned residual
-  double first_energy = 0.0;
-  for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    std::copy(residual.begin(), residual.end(), multigrid_.right().begin());
-    multigrid_.cycle();
-    const std::vector<float>& improved = multigrid_.value();
-    const double last_energy =
-        std::exchange(energy, sum_of_rows(graph.rows, [&](int row) {
-                        double sum = 0.0;
-                        for (std::size_t i = graph.first(row); i < graph.first(row) + cols; ++i) {
-                          sum += residual[i] * improved[i];
-                        }
-                        return sum;
-                      }));
-    if (iteration == 0) first_energy = energy;
-    if (!(energy > relative_tolerance * relative_tolerance * first_energy)) break;
-    const double beta = iteration == 0 ? 0.0 : energy / last_energy;
-    for_each_index(graph.rows, [&](int row) {
-      for (std::size_t i = graph.first(row); i < graph.first(row) + cols; ++i) {
-        direction[i] = improved[i] + beta * direction[i];
-      }
-    });
-    const double curvature = sum_of_rows(graph.rows, [&](int row) {
+// A^T (b - A z) with weights, in double precision.
+void SlopeSolver::set_weighted_right(const EdgeRises& rises, const Grid<double>& height) {
+  const Dealt& at = multigrid_.finest().at;
+  const auto pull_east = [&](int row, int col) {  // on the pixel to the right
+    if (!mask_(row, col) || !mask_(row, col + 1)) return 0.0;
+    return double(weights_->east(row, col)) *
+           (double(rises.east(row, col)) - (height(row, col + 1) - height(row, col)));
+  };
+  const auto pull_south = [&](int row, int col) {  // on the pixel below
+    if (!mask_(row, col) || !mask_(row + 1, col)) return 0.0;
+    return double(weights_->south(row, col)) *
+           (double(rises.south(row, col)) - (height(row + 1, col) - height(row, col)));
+  };
+  for_each_index(at.rows, [&](int row) {
+    for (int col = 0; col < at.cols; ++col) {
       double sum = 0.0;
-      for (std::size_t i = graph.first(row); i < graph.first(row) + cols; ++i) {
-        const double degree = double(graph.east[i]) + graph.east[i - 1] + graph.south[i] +
-                              graph.south[i - graph.stride()];
-        image[i] = degree * direction[i] - graph.gather(direction, i);
-        sum += direction[i] * image[i];
+      if (mask_(row, col)) {
+        if (col > 0) sum += pull_east(row, col - 1);
+        if (col + 1 < at.cols) sum -= pull_east(row, col);
+        if (row > 0) sum += pull_south(row - 1, col);
+        if (row + 1 < at.rows) sum -= pull_south(row, col);
       }
-      return sum;
-    });
-    const double step = energy / curvature;
-    for_each_index(graph.rows, [&](int row) {
-      for (std::size_t i = graph.first(row); i < graph.first(row) + cols; ++i) {
-        height[i] += step * direction[i];
-        residual[i] -= step * image[i];
-      }
-    });
-  }
-  subtract_region_means(height);
-  Grid<float> result(graph.rows, graph.cols);
-  for (int row = 0; row < graph.rows; ++row) {
-    for (int col = 0; col < graph.cols; ++col) {
-      if (regions_.label(row, col) == 0) continue;
-      result(row, col) = float(height[graph.first(row) + std::size_t(col)]);
+      multigrid_.right()[std::size_t(at.cell(row, col))] = float(sum);
     }
+  });
+}
+
+// Laid out as a grid, without the mean of every region.
+Grid<float> SlopeSolver::levelled(const Floats& value) const {
+  const Dealt& at = multigrid_.finest().at;
+  Grid<float> height(at.rows, at.cols);
+  std::vector<double> sums(regions_.runs.size());
+  for_slices(at.rows, [&](int begin, int end) {
+    std::vector<float> whole(std::size_t(at.stride()));
+    for (int row = begin; row < end; ++row) {
+      row_kernels::gather(at.block, value.data() + at.start(row, 0),
+                          value.data() + at.start(row, 1), whole.data());
+      std::copy_n(whole.begin(), at.cols, height.row(row).begin());
+      for (std::size_t run = regions_.starts[std::size_t(row)];
+           run < regions_.starts[std::size_t(row) + 1]; ++run) {
+        const auto [first, last, region] = regions_.runs[run];
+        sums[run] = row_kernels::sum(last - first, whole.data() + first);
+      }
+    }
+  });
+  std::vector<double> mean(regions_.size.size(), 0.0);
+  for (std::size_t run = 0; run < sums.size(); ++run) {
+    const auto region = std::size_t(regions_.runs[run].region);
+    mean[region] += sums[run] / regions_.size[region];
   }
+  for_each_index(at.rows, [&](int row) {
+    const auto pixels = height.row(row);
+    for (const auto [first, last, region] : regions_.row(row)) {
+      const auto off = float(mean[std::size_t(region)]);
+      for (int col = first; col < last; ++col) pixels[std::size_t(col)] -= off;
+    }
+  });
+  return height;
+}
+
+// Where weights differ, a pull that hardly counts at one pixel decides over a plate that hangs on
+// weak edges alone: single precision loses it. So the residual is found in double precision, a
+// correction in single, until that is small.
+Grid<float> SlopeSolver::height(const EdgeRises& rises, double tolerance, int max_cycles) {
+  assert(weights_);
+  cycles_ = 0;
+  const Dealt& at = multigrid_.finest().at;
+  Grid<double> height(at.rows, at.cols);
+  while (cycles_ < max_cycles) {
+    set_weighted_right(rises, height);
+    const auto solution =
+        multigrid_.solve(tolerance, std::min(max_cycles - cycles_, cycles_at_a_time));
+    cycles_ += solution.cycles;
+    const Grid<float> part = levelled(solution.value);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      height[i] += part[i];
+      sum += double(part[i]) * part[i];
+    }
+    const double pixels = double(part.size()) - regions_.size[0];
+    // A correction is good to a few digits at least, and the next one would be as much smaller.
+    if (0.1 * std::sqrt(sum / pixels) < tolerance || solution.cycles == 0) break;
+  }
+  Grid<float> result(at.rows, at.cols);
+  std::copy(height.begin(), height.end(), result.begin());
   return result;
+}
+
+Grid<float> SlopeSolver::height(const SlopeMap& slopes, double tolerance, int max_cycles) {
+  cycles_ = 0;
+  if (weights_) return height(rises_of(slopes, mask_), tolerance, max_cycles);
+  set_right(slopes);
+  const Multigrid::Solution solution = multigrid_.solve(tolerance, max_cycles);
+  cycles_ = solution.cycles;
+  return levelled(solution.value);
 }
 
 }  // namespace hada

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "core/surface.h"
 #include "reconstruct/multigrid.h"
@@ -9,24 +9,46 @@
 
 namespace hada {
 
+/// How much the height rises from a pixel to its neighbour on the right, and to the one below, in
+/// px.
+struct EdgeRises {
+  Grid<float> east;
+  Grid<float> south;
+};
+
+/// The mean slope of both pixels of every pair: exact where the surface is quadratic.
+EdgeRises rises_of(const SlopeMap& slopes, const Mask& mask);
+
 /// Least-squares heights over one mask, for as many slope maps as one likes.
 ///
-/// The normal equations are never stored: the Laplacian of the pixel graph is applied cell by cell,
-/// and conjugate gradients are preconditioned by one multigrid cycle.
+/// The normal equations are never stored: their matrix is the Laplacian of the pixel graph, and
+/// `Multigrid` solves it cell by cell.
 class SlopeSolver {
  public:
-  explicit SlopeSolver(const Mask& mask);
+  /// With weights, every equation of two neighbours counts with its own, > 0.
+  explicit SlopeSolver(const Mask& mask, std::optional<EdgeWeights> weights = {});
 
   /// The height in pixels, zero-mean in every connected region of the mask, 0 outside.
   ///
-  /// relative_tolerance  of the error in the energy norm (as the preconditioner estimates it)
-  Grid<float> height(const SlopeMap& slopes, double relative_tolerance, int max_iterations);
+  /// tolerance   root mean square error of the height in pixels, at which the solver stops
+  /// max_cycles  of multigrid, where it stops otherwise
+  Grid<float> height(const SlopeMap& slopes, double tolerance, int max_cycles);
+  /// The same for rises that are not means of slopes; with weights only.
+  Grid<float> height(const EdgeRises& rises, double tolerance, int max_cycles);
+
+  /// How many cycles the last height took.
+  int cycles() const { return cycles_; }
 
  private:
-  void subtract_region_means(std::vector<double>& value) const;
+  void set_right(const SlopeMap& slopes);
+  void set_weighted_right(const EdgeRises& rises, const Grid<double>& height);
+  Grid<float> levelled(const Floats& value) const;
 
+  const Mask& mask_;
+  std::optional<EdgeWeights> weights_;
   Multigrid multigrid_;
   Regions regions_;
+  int cycles_ = 0;
 };
 
 }  // namespace hada

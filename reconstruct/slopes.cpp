@@ -9,7 +9,14 @@
 namespace hada {
 namespace {
 
-constexpr float least_facing = 0.02f;  // cosine to the ray, below which a slope means nothing
+// Of the ray that meets pixel (row, col).
+float facing(const Eigen::Vector3f& normal, const std::optional<PinHole>& pin_hole, int row,
+             int col) {
+  if (!pin_hole) return normal.z();
+  const auto x = float((col + 0.5 - pin_hole->centre_px.x()) / pin_hole->focal_px.x());
+  const auto y = float((pin_hole->centre_px.y() - row - 0.5) / pin_hole->focal_px.y());
+  return normal.z() - normal.x() * x - normal.y() * y;
+}
 
 }  // namespace
 
@@ -20,27 +27,33 @@ std::optional<PinHole> pin_hole_of(const Camera& camera, const Eigen::Vector2i& 
 }
 
 SlopeMap slopes_of(const NormalMap& normals, const Mask& mask,
-                   const std::optional<PinHole>& pin_hole) {
+                   const std::optional<PinHole>& pin_hole, float least) {
   SlopeMap slopes(mask.rows(), mask.cols(), Eigen::Vector2f::Zero());
   for_each_index(mask.rows(), [&](int row) {
     for (int col = 0; col < mask.cols(); ++col) {
       if (!mask(row, col)) continue;
       const Eigen::Vector3f& normal = normals(row, col);
       assert(normal.z() > 0.0f);
-      if (!pin_hole) {
-        slopes(row, col) = -normal.head<2>() / normal.z();
-        continue;
-      }
       // Everything along y is scaled as if a pixel were square: the lattice counts pixels.
-      const Eigen::Vector2d& focal = pin_hole->focal_px;
-      const auto x = float((col + 0.5 - pin_hole->centre_px.x()) / focal.x());
-      const auto y = float((pin_hole->centre_px.y() - row - 0.5) / focal.y());
-      const float facing = std::max(normal.z() - normal.x() * x - normal.y() * y, least_facing);
-      slopes(row, col) = {-normal.x() / facing,
-                          -normal.y() / facing * float(focal.x() / focal.y())};
+      const double aspect = pin_hole ? pin_hole->focal_px.x() / pin_hole->focal_px.y() : 1.0;
+      const float m = std::max(facing(normal, pin_hole, row, col), least);
+      slopes(row, col) = {-normal.x() / m, -normal.y() / m * float(aspect)};
     }
   });
   return slopes;
+}
+
+Grid<float> facing_of(const NormalMap& normals, const Mask& mask,
+                      const std::optional<PinHole>& pin_hole, float least) {
+  Grid<float> result(mask.rows(), mask.cols());
+  for_each_index(mask.rows(), [&](int row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      const Eigen::Vector3f& normal = normals(row, col);
+      result(row, col) = std::max(facing(normal, pin_hole, row, col), least);
+    }
+  });
+  return result;
 }
 
 void height_from_log_depth(Grid<float>& w, double distance) {

@@ -23,6 +23,9 @@ struct PinHole {
 /// nothing for an orthographic one.
 std::optional<PinHole> pin_hole_of(const Camera& camera, const Eigen::Vector2i& offset_px);
 
+/// Cosine of a normal to the ray, below which a slope means nothing.
+constexpr float least_facing = 0.02f;
+
 /// The slopes of unit normals with z > 0; 0 outside the mask.
 ///
 /// With a pin-hole they are those of w = -D log(1 - z / D), D = focal_px.x() * pitch, by the place
@@ -31,10 +34,14 @@ std::optional<PinHole> pin_hole_of(const Camera& camera, const Eigen::Vector2i& 
 ///
 ///     dw/dx = -nx / m,  dw/dy = -ny / m,  m = nz - (nx x + ny y) / D
 ///
-/// so w is found as a height is. A normal with m < 0.02, all but hidden from the pin-hole, counts
-/// as m = 0.02.
+/// so w is found as a height is. A normal with m below `least`, all but hidden from the pin-hole,
+/// counts as if m were `least`.
 SlopeMap slopes_of(const NormalMap& normals, const Mask& mask,
-                   const std::optional<PinHole>& pin_hole = {});
+                   const std::optional<PinHole>& pin_hole = {}, float least = least_facing);
+
+/// m of `slopes_of`, the cosine between normal and ray but for its length: n_z without a pin-hole.
+Grid<float> facing_of(const NormalMap& normals, const Mask& mask,
+                      const std::optional<PinHole>& pin_hole = {}, float least = least_facing);
 
 /// z = D (1 - exp(-w / D)), in place, for w, z and D in one unit.
 void height_from_log_depth(Grid<float>& w, double distance);

@@ -195,5 +195,71 @@ TEST_F(BadInput, InterruptLeavesNothingHalfWritten) {
   }
 }
 
+// A normal map of a tilted plane and what goes with it, of which every test spoils one.
+class BadNormals : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Image map(20, 30, 3);
+    for (float& x : map.planes[0]) x = 0.6f;
+    for (float& z : map.planes[2]) z = 0.8f;
+    write_exr(scratch / "normals.exr", map);
+    write_integer_image(scratch / "mask.png", flat_picture(20, 30, 1.0f), 8);
+    put(scratch / "K.txt", "500 0 15 0 500 10 0 0 1");
+  }
+  std::string file(const std::string& name) const { return (scratch / name).string(); }
+  void expect_refused(const std::string& words) {
+    expect_refusal("integrate " + words, scratch / "out");
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(BadNormals, GoodOnesBecomeASurface) {
+  const Answer said = answer("integrate " + file("normals.exr") + " --mask " + file("mask.png") +
+                             " --intrinsics " + file("K.txt") + " --pitch 0.1 -o " + file("out"));
+  EXPECT_EQ(said.code, 0) << said.err;
+  for (const char* name : {"surface.json", "height.exr", "depth.exr", "mask.png", "normal.exr"}) {
+    EXPECT_TRUE(fs::exists(scratch / "out" / name)) << name;
+  }
+  // A plane that falls by 0.75 to the right, seen from straight above.
+  const Answer flat =
+      answer("integrate " + file("normals.exr") + " --pitch 0.1 -o " + file("flat"));
+  EXPECT_EQ(flat.code, 0) << flat.err;
+  const Grid<float> height = read_image(scratch / "flat" / "height.exr").image.planes[0];
+  EXPECT_NEAR(height(5, 29) - height(5, 0), -0.75f * 2.9f, 1e-4f);
+}
+
+TEST_F(BadNormals, MissingAndBrokenFilesAreSaid) {
+  expect_refused(file("none.exr"));
+  expect_refused(file("normals.exr") + " --mask " + file("none.png"));
+  expect_refused(file("normals.exr") + " --intrinsics " + file("none.txt"));
+  expect_refused(file("normals.exr") + " --weights " + file("none.exr"));
+  put(scratch / "broken.exr", "no picture");
+  expect_refused(file("broken.exr"));
+  put(scratch / "K.txt", "500 0 15 0 500");
+  expect_refused(file("normals.exr") + " --intrinsics " + file("K.txt"));
+}
+
+TEST_F(BadNormals, WhatIsNoNormalMapIsSaid) {
+  expect_refused(file("mask.png"));  // one channel
+  write_exr(scratch / "zero.exr", Image(20, 30, 3));
+  expect_refused(file("zero.exr"));
+}
+
+TEST_F(BadNormals, AnotherSizeAndAnEmptyMaskAreSaid) {
+  write_integer_image(scratch / "small.png", flat_picture(10, 30, 1.0f), 8);
+  expect_refused(file("normals.exr") + " --mask " + file("small.png"));
+  expect_refused(file("normals.exr") + " --weights " + file("small.png"));
+  write_integer_image(scratch / "empty.png", flat_picture(20, 30, 0.0f), 8);
+  expect_refused(file("normals.exr") + " --mask " + file("empty.png"));
+  expect_refused(file("normals.exr") + " --weights " + file("empty.png"));
+}
+
+TEST_F(BadNormals, WordsThatDoNotGoTogetherAreSaid) {
+  expect_refused(file("normals.exr") + " --weights " + file("mask.png") + " --jumps allowed");
+  expect_refused(file("normals.exr") + " --jumps sometimes");
+  expect_refused(file("normals.exr") + " --pitch -1");
+}
+
 }  // namespace
 }  // namespace hada

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/terminal.h"
+
+namespace hada {
+
+struct IntegrateArguments {
+  std::filesystem::path normals;
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> mask;
+  std::optional<std::filesystem::path> intrinsics;
+  std::optional<std::filesystem::path> weights;
+  std::optional<double> pitch_mm;
+  bool y_down = false;
+  std::string jumps = "automatic";
+  std::string levelling = "offset";
+};
+
+/// Turns a normal map of another program into a surface folder.
+void integrate_command(const IntegrateArguments& arguments, const Terminal& terminal);
+
+}  // namespace hada

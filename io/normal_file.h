@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+
+#include <Eigen/Core>
+
+#include "core/surface.h"
+
+namespace hada {
+
+/// A normal map of another program, and which of its pixels hold a normal.
+struct NormalFile {
+  NormalMap normals;  // unit length, z > 0; (0, 0, 1) outside the mask
+  Mask mask;          // vectors between 0.5 and 1.5 long that do not look away from the camera
+};
+
+/// Three channels x, y, z: floats as they are, integers of 8 or 16 bits as (value + 1) / 2.
+///
+/// y_down  the file's y points down the rows, as in DirectX; else up, as in OpenGL
+/// A normal up to 6 degrees beyond the outline (z > -0.1) is turned back to z = 0.001.
+///
+/// throws  Error naming the file if `read_image` does, if it has one channel only, or if hardly any
+///         pixel holds a unit vector
+NormalFile read_normals(const std::filesystem::path& path, bool y_down);
+
+/// The 3 x 3 matrix of a pin-hole camera as nine numbers in a text file, in pixels: fx 0 cx, 0 fy
+/// cy, 0 0 1, the centre of the first pixel at (0, 0).
+///
+/// throws  Error naming the file and what is wrong
+Eigen::Matrix3d read_intrinsics(const std::filesystem::path& path);
+
+}  // namespace hada

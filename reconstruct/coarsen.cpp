@@ -1,0 +1,111 @@
+#include "reconstruct/coarsen.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "core/parallel.h"
+#include "reconstruct/level_rows.h"
+#include "reconstruct/split_blocks.h"
+
+namespace hada {
+namespace {
+
+// What joins the cells of a row of blocks, and which of the blocks fall apart.
+struct JoinedRow {
+  std::vector<float> inside_across, inside_along, cross_across, cross_along, split;
+
+  explicit JoinedRow(const Dealt& fine)
+      : inside_across(std::size_t(fine.block)),
+        inside_along(inside_across),
+        cross_across(inside_across),
+        cross_along(inside_across),
+        split(inside_across) {}
+
+  void join(const PixelLevel& fine, float least_strength, int row) {
+    const Dealt& at = fine.at;
+    const int below = std::min(2 * row + 1, at.rows);  // the guard row, if their number is odd
+    const int next = std::min(2 * row + 2, at.rows);
+    const auto start = [&](int r, int parity) { return at.start(r, parity); };
+    if (fine.unit()) {
+      const std::uint8_t* const code = fine.code.data();
+      row_kernels::join(at.block,
+                        {code + start(2 * row, 0), code + start(2 * row, 1), code + start(below, 0),
+                         code + start(below, 1), code + start(next, 0), code + start(next, 1)},
+                        inside_across.data(), inside_along.data(), cross_across.data(),
+                        cross_along.data(), split.data());
+      return;
+    }
+    const float* const east = fine.east.data();
+    const float* const south = fine.south.data();
+    const float* const inverse = fine.inverse.data();
+    row_kernels::join(
+        at.block,
+        {east + start(2 * row, 0), east + start(2 * row, 1), east + start(below, 0),
+         east + start(below, 1), south + start(2 * row, 0), south + start(2 * row, 1),
+         south + start(below, 0), south + start(below, 1), inverse + start(2 * row, 0),
+         inverse + start(2 * row, 1), inverse + start(below, 0), inverse + start(below, 1)},
+        least_strength, inside_across.data(), inside_along.data(), cross_across.data(),
+        cross_along.data(), split.data());
+  }
+
+  void deal(PixelLevel& coarse, int row) const {
+    const int count = int(split.size()) / 2;
+    const auto put = [&](const std::vector<float>& from, Floats& to) {
+      row_kernels::deal(count, from.data(), to.data() + coarse.at.start(row, 0),
+                        to.data() + coarse.at.start(row, 1));
+    };
+    put(inside_across, coarse.reach_across);
+    put(inside_along, coarse.reach_along);
+    put(cross_across, coarse.east);
+    put(cross_along, coarse.south);
+  }
+};
+
+}  // namespace
+
+PixelLevel coarsened(PixelLevel& fine, float least_strength) {
+  PixelLevel coarse;
+  const Dealt& at = coarse.at = Dealt((fine.at.rows + 1) / 2, fine.at.half);
+  for (auto* array : {&coarse.east, &coarse.south, &coarse.reach_across, &coarse.reach_along}) {
+    array->assign(at.size(), 0.0f);
+  }
+  std::vector<std::vector<int>> split_cols(std::size_t(at.rows));
+  for_slices(at.rows, [&](int begin, int end) {
+    JoinedRow joined(fine.at);
+    for (int row = begin; row < end; ++row) {
+      joined.join(fine, least_strength, row);
+      joined.deal(coarse, row);
+      for (int col = 0; col < at.cols; ++col) {
+        if (joined.split[std::size_t(col)] != 0.0f) split_cols[std::size_t(row)].push_back(col);
+      }
+    }
+  });
+  split_blocks(fine, std::move(split_cols), least_strength, coarse);
+  for_each_index(at.rows, [&](int row) {
+    row_kernels::to_reach(int(at.stride()), coarse.reach_across.data() + at.start(row, 0));
+    row_kernels::to_reach(int(at.stride()), coarse.reach_along.data() + at.start(row, 0));
+  });
+  for_each_index(at.rows, [&](int row) {
+    const float* const across = coarse.reach_across.data();
+    const float* const along = coarse.reach_along.data();
+    for (const int parity : {0, 1}) {
+      const auto here = at.start(row, parity);
+      row_kernels::in_series(at.block, coarse.east.data() + here, across + here,
+                             across + at.start(row, 1 - parity) + parity);
+      row_kernels::in_series(at.block, coarse.south.data() + here, along + here,
+                             along + at.start(row + 1, parity));
+    }
+  });
+  coarse.inverse.assign(coarse.nodes(), 0.0f);
+  for_each_index(at.rows, [&](int row) {
+    for (const int parity : {0, 1}) {
+      row_kernels::invert(at.block, coarse.inverse.data() + at.start(row, parity),
+                          weights_around(coarse, row, parity));
+    }
+  });
+  add_extra_edges(coarse);
+  return coarse;
+}
+
+}  // namespace hada

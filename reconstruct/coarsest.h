@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "reconstruct/pixel_level.h"
+
+namespace hada {
+
+/// The exact solution on the coarsest level, by a sparse factorisation in double precision.
+///
+/// Sweeps would do on a few cells side by side. But the parts of a torn mask can hang together as
+/// one long path, however few they are.
+class CoarsestSolver {
+ public:
+  /// How many nodes have edges; the others stay at 0.
+  static std::size_t size_of(const PixelLevel& level);
+
+  explicit CoarsestSolver(const PixelLevel& level);
+
+  /// Sets level.value from level.right, with zero mean over the nodes of each region.
+  void solve(PixelLevel& level);
+
+ private:
+  std::vector<PixelLevel::Node> nodes_;
+  std::vector<int> region_;    // of a node: the first of its region
+  std::vector<double> count_;  // of nodes in the region that begins at a node
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  Eigen::VectorXd right_;
+};
+
+}  // namespace hada

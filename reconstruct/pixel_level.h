@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/grid.h"
+#include "reconstruct/dealt.h"
+#include "reconstruct/huge_pages.h"
+
+namespace hada {
+
+/// A weight for every pair of neighbours: of a pixel with the one on the right, and the one below.
+/// Only pairs inside the mask are read; 0 cuts a pair apart.
+struct EdgeWeights {
+  Grid<float> east;
+  Grid<float> south;
+};
+
+/// The weights of equations between pixels that count as `weight` says, > 0: an equation takes the
+/// slope of both pixels, so its variance is the mean of theirs, 1 / weight each.
+EdgeWeights edge_weights(const Grid<float>& weight);
+
+/// One lattice of the multigrid solver: cells, the edges between them, and a linear system on them.
+///
+/// A cell of a coarse lattice stands for a block of 2 x 2 cells that hang together. Where a block
+/// falls into parts, by a slit or by edges that hardly count, the largest part becomes the cell and
+/// each of the others an extra node beside the lattice, with a list of its edges. Without them, two
+/// sides of a slit would be moved as one.
+struct PixelLevel {
+  using Node = std::int32_t;  // a cell's place in `Dealt`, or at.size() + index of an extra node
+
+  Dealt at;
+  Floats value;
+  Floats right;  // right-hand side; sums to 0 in every region
+
+  // The finest level of a plain mask: a byte for each pixel, see row_kernels.h, and nothing else.
+  std::vector<std::uint8_t, HugePages<std::uint8_t>> code;
+  // All others: the weight of the edge to the right and below, 1 over the sum of all at a cell, and
+  // the reach of a cell along rows and columns, 1 / (2 sum of the edges that join its two halves).
+  Floats east, south, inverse;
+  Floats reach_across, reach_along;
+
+  struct Edge {
+    Node to;
+    float weight;
+  };
+  struct Extra {
+    int row, col;  // of the cell that it lies in
+    float reach_across, reach_along;
+    int first_edge;  // in `edges`; they end where those of the next begin
+    Node parent = 0;
+  };
+  std::vector<Extra> extras;  // sorted by (row, col)
+  std::vector<Edge> edges;
+
+  // Cells that belong to an extra node of the next level instead of to the cell of their block,
+  // sorted by (row, parity, place).
+  struct Moved {
+    int row;
+    Node cell;
+    Node parent;
+  };
+  std::vector<Moved> moved;
+
+  bool unit() const { return !code.empty(); }
+  bool is_extra(Node node) const { return node >= Node(at.size()); }
+  std::size_t nodes() const { return at.size() + extras.size(); }
+  int last_edge(std::size_t extra) const {
+    return extra + 1 < extras.size() ? extras[extra + 1].first_edge : int(edges.size());
+  }
+
+  /// The finest level of a mask, all edges of weight 1, or with weights.
+  static PixelLevel of(const Mask& mask);
+  static PixelLevel of(const Mask& mask, const EdgeWeights& weights);
+};
+
+}  // namespace hada

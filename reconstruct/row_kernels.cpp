@@ -1,0 +1,307 @@
+#include "reconstruct/row_kernels.h"
+
+namespace hada::row_kernels {
+namespace {
+
+constexpr float twelfth = 1.0f / 12.0f;  // times 12, 6, 4 and 3 it rounds to what it should be
+
+inline float inverse_of(std::uint8_t code) {
+  return float(code >> 4) * twelfth;
+}
+
+inline float carried(const Corner& corner, int i) {
+  const float value = corner.value[i];
+  const float f = corner.across_weight[i] * corner.across_reach[i];
+  const float g = corner.along_weight[i] * corner.along_reach[i];
+  const float across = f < 0.5f ? f : 0.5f;
+  const float along = g < 0.5f ? g : 0.5f;
+  return value + across * (corner.across[i] - value) + along * (corner.along[i] - value);
+}
+
+constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
+
+}  // namespace
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void relax(int n, float* __restrict x,
+                                                                const Around& value,
+                                                                const float* right,
+                                                                const std::uint8_t* code) {
+  const auto [up, down, left, beyond] = value;
+  for (int i = 0; i < n; ++i) {
+    x[i] = (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * inverse_of(code[i]);
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void relax(int n, float* __restrict x,
+                                                                const Around& value,
+                                                                const Around& weight,
+                                                                const float* right,
+                                                                const float* inverse) {
+  const auto [up, down, left, beyond] = value;
+  const auto [wu, wd, wl, wr] = weight;
+  for (int i = 0; i < n; ++i) {
+    const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
+    x[i] = (right[i] + sum) * inverse[i];
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void relax_from_zero(
+    int n, float* __restrict x, const float* right, const std::uint8_t* code) {
+  for (int i = 0; i < n; ++i) x[i] = right[i] * inverse_of(code[i]);
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void relax_from_zero(int n,
+                                                                          float* __restrict x,
+                                                                          const float* right,
+                                                                          const float* inverse) {
+  for (int i = 0; i < n; ++i) x[i] = right[i] * inverse[i];
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void residual(int n, float* __restrict out,
+                                                                   const float* x,
+                                                                   const Around& value,
+                                                                   const float* right,
+                                                                   const std::uint8_t* code) {
+  const auto [up, down, left, beyond] = value;
+  for (int i = 0; i < n; ++i) {
+    const float sum = (up[i] + down[i]) + (left[i] + beyond[i]);
+    const float edges = float(code[i] & 15);
+    const float rest = (right[i] + sum) - edges * x[i];
+    out[i] = edges > 0.0f ? rest : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void residual(
+    int n, float* __restrict out, const float* x, const Around& value, const Around& weight,
+    const float* right, const float* inverse) {
+  const auto [up, down, left, beyond] = value;
+  const auto [wu, wd, wl, wr] = weight;
+  for (int i = 0; i < n; ++i) {
+    const float here = x[i];
+    const float rest = right[i] + ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
+                                   (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
+    out[i] = inverse[i] > 0.0f ? rest : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void subtract_image(
+    int n, float* __restrict rest, const float* x, const Around& value, const std::uint8_t* code,
+    const AroundCodes& around) {
+  const auto [up, down, left, beyond] = value;
+  const auto [cu, cd, cl, cr] = around;
+  for (int i = 0; i < n; ++i) {
+    const float here = x[i];
+    const float du = up[i] - here, dd = down[i] - here, dl = left[i] - here, dr = beyond[i] - here;
+    const float vertical = (cu[i] ? du : 0.0f) + (cd[i] ? dd : 0.0f);
+    const float level = (cl[i] ? dl : 0.0f) + (cr[i] ? dr : 0.0f);
+    const float sum = rest[i] + (vertical + level);
+    rest[i] = code[i] ? sum : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void subtract_image(
+    int n, float* __restrict rest, const float* x, const Around& value, const Around& weight) {
+  const auto [up, down, left, beyond] = value;
+  const auto [wu, wd, wl, wr] = weight;
+  for (int i = 0; i < n; ++i) {
+    const float here = x[i];
+    rest[i] += ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
+                (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add_four(int n, float* __restrict sum,
+                                                                   const float* a, const float* b,
+                                                                   const float* c, const float* d) {
+  for (int i = 0; i < n; ++i) sum[i] = (a[i] + b[i]) + (c[i] + d[i]);
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add(int n, const float* x,
+                                                              float* __restrict total) {
+  for (int i = 0; i < n; ++i) total[i] += x[i];
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void deal(int n, const float* row,
+                                                               float* __restrict even,
+                                                               float* __restrict odd) {
+  for (int i = 0; i < n; ++i) {
+    even[i] = row[2 * i];
+    odd[i] = row[2 * i + 1];
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add_carried(int n, float* __restrict x,
+                                                                      const Corner& even,
+                                                                      const Corner& odd,
+                                                                      const std::uint8_t* alive) {
+  float carry[2 * chunk];
+  for (int first = 0; first < n; first += chunk) {
+    const int count = n - first < chunk ? n - first : chunk;
+    for (int i = 0; i < count; ++i) {
+      carry[2 * i] = carried(even, first + i);
+      carry[2 * i + 1] = carried(odd, first + i);
+    }
+    for (int j = 0; j < 2 * count; ++j) {
+      x[2 * first + j] = alive[2 * first + j] ? x[2 * first + j] + carry[j] : 0.0f;
+    }
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add_carried(int n, float* __restrict x,
+                                                                      const Corner& even,
+                                                                      const Corner& odd,
+                                                                      const float* alive) {
+  float carry[2 * chunk];
+  for (int first = 0; first < n; first += chunk) {
+    const int count = n - first < chunk ? n - first : chunk;
+    for (int i = 0; i < count; ++i) {
+      carry[2 * i] = carried(even, first + i);
+      carry[2 * i + 1] = carried(odd, first + i);
+    }
+    for (int j = 0; j < 2 * count; ++j) {
+      x[2 * first + j] = alive[2 * first + j] > 0.0f ? x[2 * first + j] + carry[j] : 0.0f;
+    }
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void join(
+    int n, const UnitRows& codes, float* __restrict inside_across, float* __restrict inside_along,
+    float* __restrict cross_across, float* __restrict cross_along, float* __restrict split) {
+  const auto [a0, b0, a1, b1, a2, b2] = codes;
+  for (int j = 0; j < n; ++j) {
+    const int p = a0[j] != 0, q = b0[j] != 0, r = a1[j] != 0, s = b1[j] != 0;
+    const int across = (p & q) + (r & s);
+    const int along = (p & r) + (q & s);
+    inside_across[j] = float(across);
+    inside_along[j] = float(along);
+    cross_across[j] = float((q & (a0[j + 1] != 0)) + (s & (a1[j + 1] != 0)));
+    cross_along[j] = float((r & (a2[j] != 0)) + (s & (b2[j] != 0)));
+    const int parts = p + q + r + s - across - along + (p & q & r & s);
+    split[j] = parts > 1 ? 1.0f : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void join(
+    int n, const WeightedRows& rows, float least, float* __restrict inside_across,
+    float* __restrict inside_along, float* __restrict cross_across, float* __restrict cross_along,
+    float* __restrict split) {
+  const auto [ab0, ba0, ab1, ba1, a01, b01, a12, b12, a0, b0, a1, b1] = rows;
+  const auto smaller = [](float a, float b) { return a < b ? a : b; };
+  for (int j = 0; j < n; ++j) {
+    inside_across[j] = ab0[j] + ab1[j];
+    inside_along[j] = a01[j] + b01[j];
+    cross_across[j] = ba0[j] + ba1[j];
+    cross_along[j] = a12[j] + b12[j];
+    const int top = ab0[j] * smaller(a0[j], b0[j]) >= least;
+    const int bottom = ab1[j] * smaller(a1[j], b1[j]) >= least;
+    const int left = a01[j] * smaller(a0[j], a1[j]) >= least;
+    const int right = b01[j] * smaller(b0[j], b1[j]) >= least;
+    const int alive = (a0[j] > 0.0f) + (b0[j] > 0.0f) + (a1[j] > 0.0f) + (b1[j] > 0.0f);
+    const int parts = alive - (top + bottom + left + right) + (top & bottom & left & right);
+    split[j] = parts > 1 ? 1.0f : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void in_series(int n, float* __restrict cross,
+                                                                    const float* reach,
+                                                                    const float* reach_beyond) {
+  for (int i = 0; i < n; ++i) {
+    cross[i] = cross[i] / (1.0f + cross[i] * (reach[i] + reach_beyond[i]));
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void to_reach(int n, float* __restrict reach) {
+  for (int i = 0; i < n; ++i) reach[i] = reach[i] > 0.0f ? 0.5f / reach[i] : 0.0f;
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void invert(int n, float* __restrict inverse,
+                                                                 const Around& weight) {
+  const auto [wu, wd, wl, wr] = weight;
+  for (int i = 0; i < n; ++i) {
+    const float sum = (wu[i] + wd[i]) + (wl[i] + wr[i]);
+    inverse[i] = sum > 0.0f ? 1.0f / sum : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void gather(int n, const float* even,
+                                                                 const float* odd,
+                                                                 float* __restrict row) {
+  for (int i = 0; i < n; ++i) {
+    row[2 * i] = even[i];
+    row[2 * i + 1] = odd[i];
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] float largest(int n, const float* x) {
+  float most = 0.0f;
+  for (int i = 0; i < n; ++i) {
+    const float size = x[i] < 0.0f ? -x[i] : x[i];
+    most = size > most ? size : most;
+  }
+  return most;
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void round_to(int n, float magic,
+                                                                   float* __restrict x) {
+  for (int i = 0; i < n; ++i) x[i] = (x[i] + magic) - magic;
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void rise_across(int n, const float* slopes,
+                                                                      const std::uint8_t* mask,
+                                                                      float magic,
+                                                                      float* __restrict rise) {
+  for (int i = 0; i < n; ++i) {
+    const float mean = (0.5f * (slopes[2 * i] + slopes[2 * i + 2]) + magic) - magic;
+    rise[i] = mask[i] && mask[i + 1] ? mean : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void rise_down(
+    int n, const float* slopes, const float* slopes_below, const std::uint8_t* mask,
+    const std::uint8_t* mask_below, float magic, float* __restrict rise) {
+  for (int i = 0; i < n; ++i) {
+    const float mean = (-0.5f * (slopes[2 * i + 1] + slopes_below[2 * i + 1]) + magic) - magic;
+    rise[i] = mask[i] && mask_below[i] ? mean : 0.0f;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void balance(int n, const float* across,
+                                                                  const float* above,
+                                                                  const float* below,
+                                                                  float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = (across[i - 1] - across[i]) + (above[i] - below[i]);
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add_times(int n, float factor,
+                                                                    const float* x,
+                                                                    float* __restrict total) {
+  for (int i = 0; i < n; ++i) total[i] += factor * x[i];
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] double sum(int n, const float* x) {
+  // Lanes whose order of adding does not depend on the width of the vectors.
+  constexpr int lanes = 8;
+  double part[lanes] = {};
+  int i = 0;
+  for (; i + lanes <= n; i += lanes) {
+    for (int lane = 0; lane < lanes; ++lane) part[lane] += double(x[i + lane]);
+  }
+  for (; i < n; ++i) part[i % lanes] += double(x[i]);
+  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] double dot(int n, const float* x,
+                                                                const float* y) {
+  constexpr int lanes = 8;
+  double part[lanes] = {};
+  int i = 0;
+  for (; i + lanes <= n; i += lanes) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      part[lane] += double(x[i + lane]) * double(y[i + lane]);
+    }
+  }
+  for (; i < n; ++i) part[i % lanes] += double(x[i]) * double(y[i]);
+  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
+
+}  // namespace hada::row_kernels

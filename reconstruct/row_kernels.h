@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+
+/// The inner loops of the multigrid solver, each over half a row (`Dealt`) of one colour.
+///
+/// They are compiled for several instruction sets, and the best one of the processor is chosen when
+/// the program starts. Nothing is contracted or reordered, so all of them give the same bytes.
+namespace hada::row_kernels {
+
+/// What surrounds half a row: values, or the weights of the edges that lead there.
+struct Around {
+  const float* up;
+  const float* down;
+  const float* left;
+  const float* right;
+};
+
+struct AroundCodes {
+  const std::uint8_t* up;
+  const std::uint8_t* down;
+  const std::uint8_t* left;
+  const std::uint8_t* right;
+};
+
+/// One byte that says how many edges a pixel of a mask has, 4 at most: the number in the low half,
+/// 12 over it, a whole number for all of them, in the high half.
+constexpr std::uint8_t edge_code(int edges) {
+  return std::uint8_t(edges == 0 ? 0 : edges | (12 / edges) << 4);
+}
+
+/// x = (right + sum of neighbours) / edges: Gauss-Seidel where every edge weighs 1.
+///
+/// Values outside the mask are 0 and all neighbours in the mask are joined, so the sum needs no
+/// mask of its own. Pixels without edges become 0.
+void relax(int n, float* __restrict x, const Around& value, const float* right,
+           const std::uint8_t* code);
+/// The same with a weight on every edge; inverse is 1 over their sum, 0 for a lonely cell.
+void relax(int n, float* __restrict x, const Around& value, const Around& weight,
+           const float* right, const float* inverse);
+
+/// The same where all neighbours are 0.
+void relax_from_zero(int n, float* __restrict x, const float* right, const std::uint8_t* code);
+void relax_from_zero(int n, float* __restrict x, const float* right, const float* inverse);
+
+/// out = right - A x. With codes as good as x is rounded: for corrections, which are small.
+void residual(int n, float* __restrict out, const float* x, const Around& value, const float* right,
+              const std::uint8_t* code);
+void residual(int n, float* __restrict out, const float* x, const Around& value,
+              const Around& weight, const float* right, const float* inverse);
+/// rest -= A x, from differences of neighbours, which hardly round at all.
+void subtract_image(int n, float* __restrict rest, const float* x, const Around& value,
+                    const std::uint8_t* code, const AroundCodes& around);
+void subtract_image(int n, float* __restrict rest, const float* x, const Around& value,
+                    const Around& weight);
+
+/// sum[i] = a[i] + b[i] + c[i] + d[i].
+void add_four(int n, float* __restrict sum, const float* a, const float* b, const float* c,
+              const float* d);
+/// total += x.
+void add(int n, const float* x, float* __restrict total);
+void add_times(int n, float factor, const float* x, float* __restrict total);
+/// even[i] = row[2 i], odd[i] = row[2 i + 1].
+void deal(int n, const float* row, float* __restrict even, float* __restrict odd);
+
+/// Half a row of coarse cells and what is next to them on one side, across and along.
+struct Corner {
+  const float* value;
+  const float* across;         // values of the neighbours to the left or right
+  const float* across_weight;  // of the edges to them
+  const float* across_reach;   // of the cells: 1 over twice what joins their halves
+  const float* along;          // up or down
+  const float* along_weight;
+  const float* along_reach;
+};
+
+/// x[j] += the value of coarse cell j carried to one of its corners, where `alive[j]` is not 0:
+/// v + f (v_across - v) + g (v_along - v), f and g = weight * reach, the share of the way between
+/// two cells that is covered at the corner; a quarter in an even lattice.
+void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
+                 const std::uint8_t* alive);
+void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
+                 const float* alive);
+
+/// The cells a and b of even and odd columns in the rows 0 and 1 of a row of blocks.
+struct UnitRows {
+  const std::uint8_t* a0;
+  const std::uint8_t* b0;
+  const std::uint8_t* a1;
+  const std::uint8_t* b1;
+  const std::uint8_t* a2;  // the first row of the block below
+  const std::uint8_t* b2;
+};
+/// What joins the cells of a block among each other and with the blocks to the right and below.
+///
+/// inside_across, inside_along  sums of the edges within a block, along its rows and its columns
+/// cross_across, cross_along    to the block on the right, to the block below
+/// split                        not 0 where the cells of a block do not hang together
+void join(int n, const UnitRows& codes, float* __restrict inside_across,
+          float* __restrict inside_along, float* __restrict cross_across,
+          float* __restrict cross_along, float* __restrict split);
+
+struct WeightedRows {
+  const float* ab0;  // edges
+  const float* ba0;
+  const float* ab1;
+  const float* ba1;
+  const float* a01;
+  const float* b01;
+  const float* a12;
+  const float* b12;
+  const float* a0;  // inverses
+  const float* b0;
+  const float* a1;
+  const float* b1;
+};
+/// An edge below `least` of all edges at one of its ends does not count as hanging together.
+void join(int n, const WeightedRows& rows, float least, float* __restrict inside_across,
+          float* __restrict inside_along, float* __restrict cross_across,
+          float* __restrict cross_along, float* __restrict split);
+
+/// cross = 1 / (1 / cross + reach + reach_beyond), 0 where cross is 0: edges in series.
+void in_series(int n, float* __restrict cross, const float* reach, const float* reach_beyond);
+/// reach = 1 / (2 reach), 0 stays 0.
+void to_reach(int n, float* __restrict reach);
+/// inverse = 1 / (sum of weights), 0 where there are none.
+void invert(int n, float* __restrict inverse, const Around& weight);
+
+/// row[2 i] = even[i], row[2 i + 1] = odd[i].
+void gather(int n, const float* even, const float* odd, float* __restrict row);
+
+/// The largest |x|.
+float largest(int n, const float* x);
+/// x = (x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
+void round_to(int n, float magic, float* __restrict x);
+
+/// From pairs (dz/dx, dz/dy), y up: the rise from a pixel to the one on its right, or below it,
+/// rounded as by `round_to`; 0 unless both are in the mask.
+void rise_across(int n, const float* slopes, const std::uint8_t* mask, float magic,
+                 float* __restrict rise);
+void rise_down(int n, const float* slopes, const float* slopes_below, const std::uint8_t* mask,
+               const std::uint8_t* mask_below, float magic, float* __restrict rise);
+/// out = across on the left - across + above - below: what the rises ask of a pixel.
+void balance(int n, const float* across, const float* above, const float* below,
+             float* __restrict out);
+
+double sum(int n, const float* x);
+double dot(int n, const float* x, const float* y);
+
+}  // namespace hada::row_kernels

@@ -1,0 +1,225 @@
+#include "reconstruct/smooth.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+#include "reconstruct/level_rows.h"
+
+namespace hada {
+namespace {
+
+constexpr int red = 0;
+constexpr int black = 1;
+
+// Whether the cells of a colour are in the even (0) or odd (1) columns of a row.
+int parity_of(int row, int colour) {
+  return (row + colour) % 2;
+}
+
+void relax(const System& s, int row, int colour) {
+  const PixelLevel& level = s.level;
+  const int parity = parity_of(row, colour);
+  const auto here = level.at.start(row, parity);
+  const auto values = values_around(level, s.x, row, parity);
+  if (level.unit()) {
+    row_kernels::relax(level.at.block, s.x + here, values, s.right + here,
+                       level.code.data() + here);
+  } else {
+    row_kernels::relax(level.at.block, s.x + here, values, weights_around(level, row, parity),
+                       s.right + here, level.inverse.data() + here);
+  }
+}
+
+void relax_from_zero(const System& s, int row, int colour) {
+  const PixelLevel& level = s.level;
+  const auto here = level.at.start(row, parity_of(row, colour));
+  if (level.unit()) {
+    row_kernels::relax_from_zero(level.at.block, s.x + here, s.right + here,
+                                 level.code.data() + here);
+  } else {
+    row_kernels::relax_from_zero(level.at.block, s.x + here, s.right + here,
+                                 level.inverse.data() + here);
+  }
+}
+
+// The coarse cells of even (0) or odd (1) columns, carried towards the black cells of a fine row:
+// to the upper right corner of their block in its first row, to the lower left one in its second.
+row_kernels::Corner corner_of(const PixelLevel& coarse, int fine_row, int parity) {
+  const Dealt& at = coarse.at;
+  const int row = fine_row / 2;
+  const bool second = fine_row % 2 == 1;
+  const float* const value = coarse.value.data();
+  const auto here = at.start(row, parity);
+  const auto beside = neighbours<row_kernels::Around>(at, value, row, parity);
+  const auto weights = weights_around(coarse, row, parity);
+  return {value + here,
+          second ? beside.left : beside.right,
+          second ? weights.left : weights.right,
+          coarse.reach_across.data() + here,
+          second ? beside.down : beside.up,
+          second ? weights.down : weights.up,
+          coarse.reach_along.data() + here};
+}
+
+// The cells of a row and colour that moved to an extra node of the coarser level.
+template <class Work>
+void for_moved(const PixelLevel& level, int row, int colour, const Work& work) {
+  if (level.moved.empty()) return;
+  const auto begin = PixelLevel::Node(level.at.start(row, parity_of(row, colour)));
+  auto moved = std::lower_bound(level.moved.begin(), level.moved.end(), begin,
+                                [](const auto& m, PixelLevel::Node cell) { return m.cell < cell; });
+  for (; moved != level.moved.end() && moved->cell < begin + level.at.block; ++moved) {
+    work(*moved);
+  }
+}
+
+void correct(const System& s, const PixelLevel& coarse, int row) {
+  const PixelLevel& level = s.level;
+  const auto here = level.at.start(row, parity_of(row, black));
+  std::vector<float> moved;
+  for_moved(level, row, black, [&](const PixelLevel::Moved& m) {
+    moved.push_back(s.x[m.cell] + coarse.value[std::size_t(m.parent)]);
+  });
+  const auto even = corner_of(coarse, row, 0);
+  const auto odd = corner_of(coarse, row, 1);
+  if (level.unit()) {
+    row_kernels::add_carried(level.at.block / 2, s.x + here, even, odd, level.code.data() + here);
+  } else {
+    row_kernels::add_carried(level.at.block / 2, s.x + here, even, odd,
+                             level.inverse.data() + here);
+  }
+  auto next = moved.begin();
+  for_moved(level, row, black, [&](const PixelLevel::Moved& m) { s.x[m.cell] = *next++; });
+}
+
+void residual(const System& s, int row, int colour, float* out) {
+  const PixelLevel& level = s.level;
+  const int parity = parity_of(row, colour);
+  const auto here = level.at.start(row, parity);
+  const auto values = values_around(level, s.x, row, parity);
+  if (level.unit()) {
+    row_kernels::residual(level.at.block, out, s.x + here, values, s.right + here,
+                          level.code.data() + here);
+  } else {
+    row_kernels::residual(level.at.block, out, s.x + here, values,
+                          weights_around(level, row, parity), s.right + here,
+                          level.inverse.data() + here);
+  }
+}
+
+// sum[j]: of block j in coarse row `row`.
+void put_coarse_row(const PixelLevel& level, const float* sum, int row, PixelLevel& coarse) {
+  row_kernels::deal(level.at.block / 2, sum, coarse.right.data() + coarse.at.start(row, 0),
+                    coarse.right.data() + coarse.at.start(row, 1));
+}
+
+void restrict_red(const System& s, int row, PixelLevel& coarse) {
+  // Two rows make one row of blocks; the second of them comes with both.
+  const PixelLevel& level = s.level;
+  const bool last = row + 1 == level.at.rows;
+  if (row % 2 == 0 && !last) return;
+  const auto block = std::size_t(level.at.block);
+  std::vector<float> sum(2 * block, 0.0f);
+  float* const upper = sum.data();
+  float* const lower = upper + block;
+  residual(s, row / 2 * 2, red, upper);
+  if (row % 2 == 1) residual(s, row, red, lower);
+  std::vector<std::pair<PixelLevel::Moved, float>> moved;
+  for (int r = row / 2 * 2; r <= row; ++r) {
+    float* const of_row = r % 2 == 0 ? upper : lower;
+    for_moved(level, r, red, [&](const PixelLevel::Moved& m) {
+      const auto place = std::size_t(m.cell - level.at.start(r, parity_of(r, red)));
+      moved.emplace_back(m, of_row[place]);
+      of_row[place] = 0.0f;
+    });
+  }
+  for (std::size_t j = 0; j < block; ++j) upper[j] += lower[j];
+  put_coarse_row(level, upper, row / 2, coarse);
+  for (const auto& [m, rest] : moved) coarse.right[std::size_t(m.parent)] += rest;
+}
+
+}  // namespace
+
+void add_sweep(const System& s, std::vector<Stage>& stages) {
+  for (const int colour : {red, black}) {
+    stages.push_back({1, [s, colour](int row) { relax(s, row, colour); }});
+  }
+}
+
+void add_sweep_from_zero(const System& s, std::vector<Stage>& stages) {
+  stages.push_back({1, [s](int row) { relax_from_zero(s, row, red); }});
+  stages.push_back({1, [s](int row) { relax(s, row, black); }});
+}
+
+void add_correction(const System& s, const PixelLevel& coarse, std::vector<Stage>& stages) {
+  stages.push_back({1, [s, &coarse](int row) { correct(s, coarse, row); }});
+}
+
+void add_restriction(const System& s, PixelLevel& coarse, std::vector<Stage>& stages) {
+  stages.push_back({2, [s, &coarse](int row) { restrict_red(s, row, coarse); }});
+}
+
+void add_subtraction(const System& s, std::vector<Stage>& stages) {
+  stages.push_back({1, [s](int row) {
+                      const PixelLevel& level = s.level;
+                      for (const int parity : {0, 1}) {
+                        const auto here = level.at.start(row, parity);
+                        const auto values = values_around(level, s.x, row, parity);
+                        if (level.unit()) {
+                          row_kernels::subtract_image(level.at.block, s.right + here, s.x + here,
+                                                      values, level.code.data() + here,
+                                                      codes_around(level, row, parity));
+                        } else {
+                          row_kernels::subtract_image(level.at.block, s.right + here, s.x + here,
+                                                      values, weights_around(level, row, parity));
+                        }
+                      }
+                    }});
+}
+
+void add_rounding(const System& s, float magic, std::vector<Stage>& stages) {
+  stages.push_back({1, [s, magic](int row) {
+                      row_kernels::round_to(int(s.level.at.stride()), magic,
+                                            s.x + s.level.at.start(row, 0));
+                    }});
+}
+
+void add_to_total(const System& s, float* total, bool from_zero, std::vector<Stage>& stages) {
+  stages.push_back({0, [s, total, from_zero](int row) {
+                      const auto first = s.level.at.start(row, 0);
+                      const auto count = s.level.at.stride();
+                      if (from_zero) {
+                        std::copy_n(s.x + first, count, total + first);
+                      } else {
+                        row_kernels::add(int(count), s.x + first, total + first);
+                      }
+                    }});
+}
+
+void restrict_right(const PixelLevel& level, PixelLevel& coarse) {
+  const Dealt& at = level.at;
+  for_slices(coarse.at.rows, [&](int begin, int end) {
+    std::vector<float> sum(std::size_t(at.block));
+    for (int row = begin; row < end; ++row) {
+      const int below = std::min(2 * row + 1, at.rows);
+      const float* const right = level.right.data();
+      row_kernels::add_four(at.block, sum.data(), right + at.start(2 * row, 0),
+                            right + at.start(2 * row, 1), right + at.start(below, 0),
+                            right + at.start(below, 1));
+      put_coarse_row(level, sum.data(), row, coarse);
+    }
+  });
+  std::fill(coarse.right.begin() + std::ptrdiff_t(coarse.at.size()), coarse.right.end(), 0.0f);
+  for (const auto& m : level.moved) {
+    const int row = m.row / 2;
+    const auto place = m.cell - at.start(m.row, 0);
+    const int col = int(place < at.block ? 2 * place : 2 * (place - at.block) + 1) / 2;
+    coarse.right[std::size_t(coarse.at.cell(row, col))] -= level.right[std::size_t(m.cell)];
+    coarse.right[std::size_t(m.parent)] += level.right[std::size_t(m.cell)];
+  }
+  for (std::size_t i = 0; i < level.extras.size(); ++i) {
+    coarse.right[std::size_t(level.extras[i].parent)] += level.right[at.size() + i];
+  }
+}
+
+}  // namespace hada

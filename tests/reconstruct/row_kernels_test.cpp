@@ -1,0 +1,69 @@
+#include "reconstruct/row_kernels.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace hada {
+namespace {
+
+TEST(RowKernels, RelaxToTheMeanOfTheNeighboursWhateverTheirNumber) {
+  constexpr int n = 48;  // more than the widest vector, with a rest
+  const std::vector<float> one(n, 1.0f), two(n, 2.0f), three(n, 3.0f), zero(n, 0.0f);
+  std::vector<float> x(n, 9.0f);
+  std::vector<std::uint8_t> code(n);
+  for (int i = 0; i < n; ++i) code[std::size_t(i)] = row_kernels::edge_code(i % 5);
+  row_kernels::relax(n, x.data(), {one.data(), two.data(), three.data(), zero.data()}, zero.data(),
+                     code.data());
+  for (int i = 0; i < n; ++i) {
+    const int edges = i % 5;  // 1 over them is exact, or rounded as a division is
+    EXPECT_EQ(x[std::size_t(i)], edges == 0 ? 0.0f : 6.0f * (1.0f / float(edges))) << edges;
+  }
+}
+
+TEST(RowKernels, AgreeOnResidualsWithAndWithoutWeights) {
+  constexpr int n = 20;
+  std::vector<float> up(n), down(n), left(n), right(n), x(n), rhs(n);
+  for (int i = 0; i < n; ++i) {
+    up[std::size_t(i)] = float(i);
+    down[std::size_t(i)] = float(2 * i);
+    left[std::size_t(i)] = float(n - i);
+    right[std::size_t(i)] = 1.0f;
+    x[std::size_t(i)] = float(i % 3);
+    rhs[std::size_t(i)] = float(i % 4);
+  }
+  const std::vector<float> ones(n, 1.0f);
+  const std::vector<std::uint8_t> code(n, row_kernels::edge_code(4));
+  const row_kernels::Around around{up.data(), down.data(), left.data(), right.data()};
+  std::vector<float> plain(n), weighted(n), subtracted = rhs;
+  row_kernels::residual(n, plain.data(), x.data(), around, rhs.data(), code.data());
+  row_kernels::residual(n, weighted.data(), x.data(), around,
+                        {ones.data(), ones.data(), ones.data(), ones.data()}, rhs.data(),
+                        ones.data());
+  row_kernels::subtract_image(n, subtracted.data(), x.data(), around, code.data(),
+                              {code.data(), code.data(), code.data(), code.data()});
+  EXPECT_EQ(plain, weighted);  // small whole numbers: nothing is rounded
+  EXPECT_EQ(plain, subtracted);
+}
+
+TEST(RowKernels, RoundToMultiples) {
+  std::vector<float> x{0.3f, -0.3f, 0.124f, 0.126f};
+  row_kernels::round_to(4, 3.0f * 0x1p22f * 0.25f, x.data());
+  EXPECT_EQ(x, (std::vector<float>{0.25f, -0.25f, 0.0f, 0.25f}));
+}
+
+TEST(RowKernels, DealAndGatherAreInverse) {
+  std::vector<float> row(34);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = float(i);
+  std::vector<float> even(17), odd(17), again(34);
+  row_kernels::deal(17, row.data(), even.data(), odd.data());
+  EXPECT_EQ(even[3], 6.0f);
+  EXPECT_EQ(odd[3], 7.0f);
+  row_kernels::gather(17, even.data(), odd.data(), again.data());
+  EXPECT_EQ(again, row);
+  EXPECT_EQ(row_kernels::sum(34, row.data()), 33.0 * 34.0 / 2.0);
+  EXPECT_EQ(row_kernels::dot(17, even.data(), even.data()), 4.0 * 16.0 * 17.0 * 33.0 / 6.0);
+}
+
+}  // namespace
+}  // namespace hada
