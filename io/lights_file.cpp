@@ -3,11 +3,19 @@
 #include <numbers>
 
 #include "io/json_light.h"
+#include "io/lp_file.h"
 
 namespace hada {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+
+LightsFile lights_from_lp(const std::filesystem::path& path) {
+  LightsFile file;
+  file.lights = read_lp(path);
+  file.strengths_measured = false;
+  return file;
+}
 
 std::string entry(const std::string& file, const std::string& list, std::size_t i) {
   return file + ": " + list + "[" + std::to_string(i) + "]";
@@ -61,6 +69,7 @@ Json json_of_sphere(const Sphere& sphere) {
 }  // namespace
 
 LightsFile read_lights(const std::filesystem::path& path) {
+  if (is_lp(path)) return lights_from_lp(path);
   const Json json = read_json(path, "lights/1");
   const std::string name = path.string();
   JsonObject object(json, name);
