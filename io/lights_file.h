@@ -13,7 +13,9 @@ namespace hada {
 struct LightsFile {
   std::vector<Light> lights;
   std::vector<Sphere> spheres;
-  bool strengths_measured = true;  // false: they are assumed equal, only directions were seen
+  std::vector<LightErrorMode> errors;  // how the lights may be wrong together; empty: not said
+  Unit position_unit = Unit::mm;       // of near lights: px if they were found without a pitch
+  bool strengths_measured = true;      // false: they are assumed equal, only directions were seen
   std::string encoding;  // of the pictures they were found in, "linear" or "srgb"; empty: not said
 };
 

@@ -16,7 +16,7 @@ void calibrate_command(const CalibrateArguments& arguments, const Terminal& term
   const Photographs photographs = load_folder(arguments.capture, terminal);
   terminal.step("reading the lights off the spheres");
   const Calibration calibration = calibrate(photographs);
-  const std::string text = lights_text(lights_file(calibration));
+  const std::string text = lights_text(lights_file(calibration, photographs.camera.extent.unit));
   const bool as_lp = is_lp(arguments.out);
   write_text(arguments.out, as_lp ? lp_text(calibration.lights) : text);
   for (const auto& reading : calibration.readings) {
