@@ -1,7 +1,9 @@
 #include "app/lit_capture.h"
 
+#include "capture/diagnose.h"
 #include "capture/find_spheres.h"
 #include "capture/light_stack.h"
+#include "capture/movement.h"
 #include "capture/strengths.h"
 
 namespace hada {
@@ -89,6 +91,10 @@ LitCapture lit_capture(Photographs photographs,
   lit.lights.lights = lit.stack.lights;
   lit.stack.light_errors = lit.lights.errors;
   add(lit.remarks, photographs.remarks);
+  if (!lit.calibration) add(lit.remarks, remarks_on_lights(lit.stack.lights));
+  add(lit.remarks, remarks_on_clipping(lit.stack));
+  add(lit.remarks,
+      remarks_on_movement(lit.stack.images, lit.stack.lights, lit.spheres, lit.stack.mask));
   lit.photographs = std::move(photographs);
   return lit;
 }

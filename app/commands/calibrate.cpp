@@ -7,13 +7,25 @@
 
 #include "app/lit_capture.h"
 #include "app/telling.h"
+#include "capture/movement.h"
 #include "io/lp_file.h"
 #include "io/output.h"
 
 namespace hada {
+namespace {
+
+std::vector<std::string> moved(Photographs photographs, const Calibration& calibration) {
+  std::vector<Sphere> spheres;
+  for (const auto& reading : calibration.readings) spheres.push_back(reading.sphere);
+  photographs.linear = calibration.linear;
+  const Photographs linear = linearized(std::move(photographs));
+  return remarks_on_movement(linear.images, calibration.lights, spheres, linear.mask);
+}
+
+}  // namespace
 
 void calibrate_command(const CalibrateArguments& arguments, const Terminal& terminal) {
-  const Photographs photographs = load_folder(arguments.capture, terminal);
+  Photographs photographs = load_folder(arguments.capture, terminal);
   terminal.step("reading the lights off the spheres");
   const Calibration calibration = calibrate(photographs);
   const std::string text = lights_text(lights_file(calibration, photographs.camera.extent.unit));
@@ -27,6 +39,9 @@ void calibrate_command(const CalibrateArguments& arguments, const Terminal& term
   }
   terminal.say(told(calibration));
   for (const auto& remark : calibration.remarks) terminal.say("note: " + remark);
+  for (const auto& remark : moved(std::move(photographs), calibration)) {
+    terminal.say("note: " + remark);
+  }
   if (as_lp) {
     terminal.say(
         "note: A .lp file holds directions only: strengths, distances and how sure they are "
