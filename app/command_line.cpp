@@ -100,7 +100,8 @@ void add_pitch(CLI::App& command, Arguments& a) {
 
 template <class Arguments>
 void add_lights(CLI::App& command, Arguments& a) {
-  command.add_option("--lights", a.lights, "lights file to use instead of the spheres");
+  command.add_option("--lights", a.lights,
+                     "lights file (.json or .lp) to use instead of the spheres");
 }
 
 void add_all_steps(Commands& commands) {
@@ -131,7 +132,9 @@ void add_measuring(Commands& commands) {
                "hada calibrate photos/sphere -o lights.json", calibrate_command,
                [](CLI::App& command, CalibrateArguments& a) {
                  add_capture(command, a);
-                 add_out(command, a, "lights file to write (default: lights.json)");
+                 add_out(command, a,
+                         "lights file to write: .json, or .lp for directions alone "
+                         "(default: lights.json)");
                });
   commands.add("reconstruct", "Turn photographs into normals, albedo and height",
                "hada reconstruct photos/sheet --lights lights.json -o out/surface",

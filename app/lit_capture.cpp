@@ -1,7 +1,9 @@
 #include "app/lit_capture.h"
 
+#include "capture/diagnose.h"
 #include "capture/find_spheres.h"
 #include "capture/light_stack.h"
+#include "capture/movement.h"
 #include "capture/strengths.h"
 
 namespace hada {
@@ -23,6 +25,18 @@ void believe(Photographs& photographs, bool linear) {
   photographs.encoding_known = true;
 }
 
+// Error modes are vectors as long as the light is strong: they grow and shrink with it.
+std::vector<LightErrorMode> rescaled(std::vector<LightErrorMode> modes,
+                                     const std::vector<Light>& before,
+                                     const std::vector<Light>& after) {
+  for (LightErrorMode& mode : modes) {
+    for (std::size_t k = 0; k < mode.size(); ++k) {
+      mode[k] *= after[k].strength.mean() / before[k].strength.mean();
+    }
+  }
+  return modes;
+}
+
 }  // namespace
 
 Photographs load_folder(const std::filesystem::path& folder, const Terminal& terminal,
@@ -33,9 +47,11 @@ Photographs load_folder(const std::filesystem::path& folder, const Terminal& ter
   return load_photographs(file);
 }
 
-LightsFile lights_file(const Calibration& calibration) {
+LightsFile lights_file(const Calibration& calibration, Unit unit) {
   LightsFile file;
   file.lights = calibration.lights;
+  file.errors = calibration.errors;
+  file.position_unit = unit;
   file.strengths_measured = calibration.strengths_measured;
   if (calibration.encoding_known) file.encoding = calibration.linear ? "linear" : "srgb";
   for (const auto& reading : calibration.readings) file.spheres.push_back(reading.sphere);
@@ -47,21 +63,21 @@ LitCapture lit_capture(Photographs photographs,
                        const Terminal& terminal) {
   LitCapture lit;
   if (lights_path) {
-    lit.lights = read_lights(*lights_path);
-    lit.lights.lights = matched_lights(lit.lights.lights, photographs.file);
-    lit.lights.spheres = spheres_beside(photographs, terminal);
+    lit.lights = matched_lights(read_lights(*lights_path), photographs);
+    lit.spheres = spheres_beside(photographs, terminal);
     lit.source = lights_path->filename().string();
     if (!photographs.encoding_known && !lit.lights.encoding.empty()) {
       believe(photographs, lit.lights.encoding == "linear");
     }
   } else if (auto given = lights_in(photographs.file); !given.empty()) {
     lit.lights.lights = std::move(given);
-    lit.lights.spheres = spheres_beside(photographs, terminal);
+    lit.spheres = spheres_beside(photographs, terminal);
     lit.source = "the manifest";
   } else {
     terminal.step("reading the lights off the spheres");
     lit.calibration = calibrate(photographs);
-    lit.lights = lights_file(*lit.calibration);
+    lit.lights = lights_file(*lit.calibration, photographs.camera.extent.unit);
+    lit.spheres = lit.lights.spheres;
     lit.source = "the spheres in the pictures";
     if (lit.calibration->encoding_known) believe(photographs, lit.calibration->linear);
     add(lit.remarks, lit.calibration->remarks);
@@ -69,10 +85,16 @@ LitCapture lit_capture(Photographs photographs,
   settle_encoding(photographs, lit.lights.lights);
   lit.lights.encoding = photographs.linear ? "linear" : "srgb";
   terminal.step("finding the sample");
-  lit.stack = light_stack(photographs, lit.lights.lights, lit.lights.spheres);
+  lit.stack = light_stack(photographs, lit.lights.lights, lit.spheres);
   if (!lit.lights.strengths_measured) balance_strengths(lit.stack);
+  lit.lights.errors = rescaled(lit.lights.errors, lit.lights.lights, lit.stack.lights);
   lit.lights.lights = lit.stack.lights;
+  lit.stack.light_errors = lit.lights.errors;
   add(lit.remarks, photographs.remarks);
+  if (!lit.calibration) add(lit.remarks, remarks_on_lights(lit.stack.lights));
+  add(lit.remarks, remarks_on_clipping(lit.stack));
+  add(lit.remarks,
+      remarks_on_movement(lit.stack.images, lit.stack.lights, lit.spheres, lit.stack.mask));
   lit.photographs = std::move(photographs);
   return lit;
 }

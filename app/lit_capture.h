@@ -16,7 +16,8 @@ namespace hada {
 /// Photographs whose lights are known, and where that knowledge came from.
 struct LitCapture {
   Photographs photographs;
-  LightsFile lights;                       // in force
+  LightsFile lights;                       // in force, and the spheres that they were read off
+  std::vector<Sphere> spheres;             // in these pictures
   std::optional<Calibration> calibration;  // absent where the lights were given
   LightStack stack;
   std::string source;  // "the spheres in the pictures", "lights.json", "the manifest"
@@ -33,7 +34,7 @@ LitCapture lit_capture(Photographs photographs,
                        const std::optional<std::filesystem::path>& lights_path,
                        const Terminal& terminal);
 
-/// What a calibration leaves on disk.
-LightsFile lights_file(const Calibration& calibration);
+/// What a calibration leaves on disk. unit: of the pictures
+LightsFile lights_file(const Calibration& calibration, Unit unit);
 
 }  // namespace hada

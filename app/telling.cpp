@@ -16,6 +16,25 @@ std::string counted(std::size_t count, const std::string& thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
+// "8 distant lights"; near ones have a position.
+std::string lights_told(const std::vector<Light>& lights) {
+  const auto near = std::count_if(lights.begin(), lights.end(),
+                                  [](const Light& light) { return light.position.has_value(); });
+  if (near == 0) return counted(lights.size(), "distant light");
+  const std::string text = counted(std::size_t(near), "near light");
+  const std::size_t distant = lights.size() - std::size_t(near);
+  return distant == 0 ? text : text + " and " + counted(distant, "distant one");
+}
+
+// "2 spheres (matte, chrome)"
+std::string spheres_told(const std::vector<Sphere>& spheres) {
+  std::string kinds;
+  for (const Sphere& sphere : spheres) {
+    kinds += (kinds.empty() ? "" : ", ") + std::string(name_of(sphere.kind));
+  }
+  return counted(spheres.size(), "sphere") + " (" + kinds + ")";
+}
+
 double root_mean_square(const Grid<float>& values, const Mask& mask) {
   double sum = 0.0;
   double count = 0.0;
@@ -60,8 +79,10 @@ std::string with_sigma(double value, double sigma) {
 }
 
 std::string told(const Calibration& c) {
+  std::vector<Sphere> spheres;
+  for (const auto& reading : c.readings) spheres.push_back(reading.sphere);
   std::string text =
-      counted(c.lights.size(), "light") + " read off " + counted(c.readings.size(), "sphere") +
+      lights_told(c.lights) + " read off " + spheres_told(spheres) +
       fmt::format(", each direction known to {:.2g} deg", direction_sigma_deg(c.lights));
   if (c.readings.size() > 1) {
     text += fmt::format("; the spheres disagree by {:.2f} deg", c.disagreement / degree);
@@ -71,7 +92,9 @@ std::string told(const Calibration& c) {
 
 std::string told(const LitCapture& lit) {
   if (lit.calibration) return told(*lit.calibration);
-  return counted(lit.lights.lights.size(), "light") + " taken from " + lit.source;
+  std::string text = lights_told(lit.lights.lights) + " taken from " + lit.source;
+  if (!lit.lights.spheres.empty()) text += ", read off " + spheres_told(lit.lights.spheres);
+  return text;
 }
 
 std::string told(const Reconstruction& r) {

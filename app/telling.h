@@ -9,9 +9,12 @@
 /// terminal prints them and the report begins with them.
 namespace hada {
 
-/// "8 lights read off 2 spheres, known to 0.12 deg; the spheres disagree by 0.21 deg."
+/// Which calibration is in force: "8 near lights taken from lights.json, read off 1 sphere
+/// (matte)", or as for a calibration.
 std::string told(const LitCapture& lit);
 
+/// "8 distant lights read off 2 spheres (matte, chrome), each direction known to 0.12 deg; the
+/// spheres disagree by 0.21 deg."
 std::string told(const Calibration& calibration);
 
 /// "640 x 480 pixels, height 0.123 mm root mean square, ..."

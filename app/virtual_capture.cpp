@@ -68,8 +68,10 @@ void write_capture(const std::filesystem::path& folder, const VirtualCapture& ca
   }
   put_text(output, "capture.json", capture_text(file));
   write_surface(output, "truth/", capture.truth);
-  put_text(output, "truth/lights.json",
-           lights_text({.lights = capture.stack.lights, .spheres = {}, .encoding = "linear"}));
+  LightsFile lights;
+  lights.lights = capture.stack.lights;
+  lights.encoding = "linear";
+  put_text(output, "truth/lights.json", lights_text(lights));
   MaterialFile material;
   material.material = recipe.material;
   material.seed = recipe.sheet_seed;

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
 
 #include "capture/chrome_sphere.h"
+#include "capture/diagnose.h"
 #include "capture/find_spheres.h"
 #include "capture/matte_sphere.h"
 #include "capture/refine_lights.h"
+#include "capture/tone_curve.h"
 #include "core/error.h"
 
 namespace hada {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 bool is_seen(const Light& light) {
   return std::isfinite(light.direction_sigma);
@@ -57,12 +56,6 @@ void decide_encoding(Photographs& photographs, const std::vector<Sphere>& sphere
         "by {:.1f} % the other).",
         looks_linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
         100.0 * std::max(linear, srgb)));
-  } else if (looks_linear != photographs.linear &&
-             std::min(linear, srgb) < 0.6 * std::max(linear, srgb)) {
-    remarks.push_back(fmt::format(
-        "The pictures are taken as {}, but the matte sphere fits better as {}; check \"encoding\" "
-        "in capture.json.",
-        photographs.linear ? "linear" : "sRGB", looks_linear ? "linear" : "sRGB"));
   }
 }
 
@@ -114,31 +107,6 @@ std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
   return colour;
 }
 
-void remark_on(const Calibration& calibration, std::vector<std::string>& remarks) {
-  for (const SphereReading& reading : calibration.readings) {
-    constexpr double small_px = 15.0;
-    if (reading.sphere.radius_px < small_px) {
-      remarks.push_back(fmt::format(
-          "The {} sphere is only {:.0f} px across; a larger one would give better lights.",
-          name_of(reading.sphere.kind), 2.0 * reading.sphere.radius_px));
-    }
-    if (reading.misfit > 0.2) {
-      remarks.push_back(
-          fmt::format("The matte sphere is not shaded like one ({:.0f} % of its contrast is "
-                      "unexplained): is it "
-                      "glossy, dirty, or lit by more than one lamp?",
-                      100.0 * reading.misfit));
-    }
-  }
-  if (calibration.disagreement > 3.0 * degree) {
-    remarks.push_back(
-        fmt::format("The spheres disagree by {:.1f} degrees on average: one may be no sphere, may "
-                    "have moved, or "
-                    "its outline is off; look at them in the report.",
-                    calibration.disagreement / degree));
-  }
-}
-
 }  // namespace
 
 Calibration calibrate(const Photographs& given) {
@@ -148,6 +116,14 @@ Calibration calibrate(const Photographs& given) {
   for (const auto& rejected : found.rejected)
     calibration.remarks.push_back("Rejected " + rejected + ".");
   if (found.spheres.empty()) {
+    photographs.linear = !photographs.linear;
+    if (!find_spheres(photographs).spheres.empty()) {
+      throw Error(fmt::format(
+          "{}: no reference sphere found while the pictures are read as {}, but read as {} there "
+          "is one; say \"encoding\": \"{}\" in capture.json, or develop without a tone curve",
+          given.file.folder.string(), given.linear ? "linear" : "sRGB",
+          photographs.linear ? "linear" : "sRGB", photographs.linear ? "linear" : "srgb"));
+    }
     const std::string why =
         found.rejected.empty() ? std::string("") : " (" + found.rejected.front() + ")";
     throw Error(given.file.folder.string() + ": no reference sphere found" + why +
@@ -182,7 +158,11 @@ Calibration calibrate(const Photographs& given) {
   calibration.errors = refined.errors;
   calibration.strengths_measured = refined.strengths_measured;
   calibration.disagreement = refined.disagreement;
-  remark_on(calibration, calibration.remarks);
+  for (const auto& remarks :
+       {remarks_on_spheres(linear, calibration), remarks_on_curve(linear, calibration),
+        remarks_on_lights(calibration.lights)}) {
+    calibration.remarks.insert(calibration.remarks.end(), remarks.begin(), remarks.end());
+  }
   return calibration;
 }
 

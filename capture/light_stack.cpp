@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Dense>
 #include <fmt/core.h>
@@ -64,6 +65,42 @@ double unexplained(Photographs photographs, const std::vector<Light>& lights, bo
   return median(std::move(shares));
 }
 
+// For each picture the light that bears its name; empty if one finds none. `name` reads a name.
+template <class Name>
+std::vector<std::size_t> namesakes(const std::vector<Light>& lights, const CaptureFile& file,
+                                   const Name& name) {
+  std::vector<std::size_t> order;
+  for (const auto& picture : file.pictures) {
+    const auto same = std::find_if(lights.begin(), lights.end(), [&](const Light& light) {
+      return name(light.image) == name(picture.name);
+    });
+    if (same == lights.end()) return {};
+    const auto k = std::size_t(same - lights.begin());
+    if (std::find(order.begin(), order.end(), k) != order.end()) return {};
+    order.push_back(k);
+  }
+  return order;
+}
+
+// The light of each picture: the one of its name, else of its name without ending, else in order.
+std::vector<std::size_t> matching(const std::vector<Light>& lights, const CaptureFile& file) {
+  auto order = namesakes(lights, file, [](const std::string& name) { return name; });
+  if (order.empty()) {
+    order = namesakes(lights, file, [](const std::string& name) {
+      return std::filesystem::path(name).replace_extension().string();
+    });
+  }
+  if (!order.empty()) return order;
+  if (lights.size() != file.pictures.size()) {
+    throw Error(fmt::format(
+        "{}: {} pictures, but {} lights are given; calibrate with the same set of lights",
+        file.folder.string(), file.pictures.size(), lights.size()));
+  }
+  order.resize(lights.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  return order;
+}
+
 }  // namespace
 
 std::vector<Light> lights_in(const CaptureFile& file) {
@@ -86,20 +123,34 @@ std::vector<Light> lights_in(const CaptureFile& file) {
 
 std::vector<Light> matched_lights(const std::vector<Light>& lights, const CaptureFile& file) {
   std::vector<Light> matched;
-  for (const auto& picture : file.pictures) {
-    const auto same = std::find_if(lights.begin(), lights.end(),
-                                   [&](const Light& light) { return light.image == picture.name; });
-    if (same != lights.end()) matched.push_back(*same);
-  }
-  if (matched.size() == file.pictures.size()) return matched;
-  if (lights.size() != file.pictures.size()) {
-    throw Error(fmt::format(
-        "{}: {} pictures, but {} lights are given; calibrate with the same set of lights",
-        file.folder.string(), file.pictures.size(), lights.size()));
-  }
-  matched = lights;
+  for (const std::size_t k : matching(lights, file)) matched.push_back(lights[k]);
   for (std::size_t k = 0; k < matched.size(); ++k) matched[k].image = file.pictures[k].name;
   return matched;
+}
+
+LightsFile matched_lights(LightsFile lights, const Photographs& photographs) {
+  const std::string folder = photographs.file.folder.string();
+  const bool near = std::any_of(lights.lights.begin(), lights.lights.end(),
+                                [](const Light& light) { return light.position.has_value(); });
+  const Unit unit = photographs.camera.extent.unit;
+  if (near && lights.position_unit == Unit::mm && unit == Unit::px) {
+    throw Error(folder +
+                ": lights have a position in mm, but nobody says how large a pixel is; give "
+                "pitch_mm");
+  }
+  if (near && lights.position_unit == Unit::px && unit == Unit::mm) {
+    throw Error(folder +
+                ": lights have a position in px, found without a pitch, but these pictures have "
+                "one; calibrate again with pitch_mm");
+  }
+  const auto order = matching(lights.lights, photographs.file);
+  for (LightErrorMode& mode : lights.errors) {
+    LightErrorMode matched;
+    for (const std::size_t k : order) matched.push_back(mode[k]);
+    mode = std::move(matched);
+  }
+  lights.lights = matched_lights(lights.lights, photographs.file);
+  return lights;
 }
 
 void settle_encoding(Photographs& photographs, const std::vector<Light>& lights) {
@@ -130,13 +181,6 @@ LightStack light_stack(Photographs photographs, std::vector<Light> lights,
                     folder, photographs.images.size(), photographs.images.size() == 1 ? "" : "s"));
   }
   assert(lights.size() == photographs.images.size());
-  const bool near = std::any_of(lights.begin(), lights.end(),
-                                [](const Light& light) { return light.position.has_value(); });
-  if (near && photographs.camera.extent.unit == Unit::px) {
-    throw Error(folder +
-                ": lights have a position in mm, but nobody says how large a pixel is; give "
-                "pitch_mm");
-  }
   scale_strengths(lights);
   const int bits = photographs.bits;
   photographs = linearized(std::move(photographs));

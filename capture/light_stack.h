@@ -6,6 +6,7 @@
 #include "capture/load.h"
 #include "core/light_stack.h"
 #include "core/sphere.h"
+#include "io/lights_file.h"
 
 namespace hada {
 
@@ -13,9 +14,14 @@ namespace hada {
 /// throws  Error if it gives some but not all
 std::vector<Light> lights_in(const CaptureFile& file);
 
-/// Lights from elsewhere, matched to these pictures by name or, where the names differ, by order.
+/// Lights from elsewhere, matched to these pictures by name, else by name without its ending (a
+/// dome's JPEGs were calibrated, its TIFFs are measured), else by order.
 /// throws  Error if there are not as many lights as pictures
 std::vector<Light> matched_lights(const std::vector<Light>& lights, const CaptureFile& file);
+
+/// The same for all that a lights file holds: the error modes follow their lights.
+/// throws  Error as above, or if near lights stand in another unit than that of the pictures
+LightsFile matched_lights(LightsFile lights, const Photographs& photographs);
 
 /// Settles whether pictures of unknown encoding are linear, by which reading lets the lights
 /// explain the brightness of the pixels better; says so in the remarks. Does nothing where it is

@@ -1,36 +1,92 @@
 #include "io/lights_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "io/json_light.h"
+#include "io/lp_file.h"
 
 namespace hada {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
+LightsFile lights_from_lp(const std::filesystem::path& path) {
+  LightsFile file;
+  file.lights = read_lp(path);
+  file.strengths_measured = false;
+  return file;
+}
+
+std::string position_key(Unit unit) {
+  return "position_" + std::string(name_of(unit));
+}
+
 std::string entry(const std::string& file, const std::string& list, std::size_t i) {
   return file + ": " + list + "[" + std::to_string(i) + "]";
 }
 
-Light light_from(JsonObject object) {
+// Where a near light stands, and in which unit; all lights of a file must agree on it.
+void read_position(Light& light, std::optional<Unit>& unit, JsonObject& object) {
+  for (const Unit said : {Unit::mm, Unit::px}) {
+    const std::string key = position_key(said);
+    if (!object.has(key)) continue;
+    if (unit.value_or(said) != said) {
+      object.fail(key, "mixes mm and px; give all positions in one unit");
+    }
+    unit = said;
+    light.position = vector_from(object, key);
+    if (!(light.position->norm() > 0.0)) object.fail(key, "is the origin; no lamp can stand there");
+  }
+}
+
+Light light_from(JsonObject object, std::optional<Unit>& unit) {
   Light light;
   light.image = object.text("image");
   light.direction = direction_from(object, "direction");
   light.strength = strength_from(object, "strength");
   light.direction_sigma = object.number("direction_sigma_deg", 0.0) * degree;
   if (light.direction_sigma < 0.0) object.fail("direction_sigma_deg", "must not be negative");
-  if (object.has("position_mm")) light.position = vector_from(object, "position_mm");
+  read_position(light, unit, object);
   object.finish();
   return light;
 }
 
-Json json_of_light(const Light& light) {
+// One mode: for each light a vector of three finite numbers.
+LightErrorMode mode_from(const Json& json, std::size_t lights, const JsonObject& file) {
+  LightErrorMode mode;
+  const auto is_finite = [](const Json& entry) {
+    return entry.is_number() && std::isfinite(entry.get<double>());
+  };
+  const auto is_vector = [&](const Json& entry) {
+    return entry.is_array() && entry.size() == 3 &&
+           std::all_of(entry.begin(), entry.end(), is_finite);
+  };
+  if (!json.is_array() || json.size() != lights ||
+      !std::all_of(json.begin(), json.end(), is_vector)) {
+    file.fail("error_modes", "must be a list of modes, each with " + std::to_string(lights) +
+                                 " entries of 3 finite numbers, one for each light");
+  }
+  for (const Json& entry : json) {
+    mode.emplace_back(entry[0].get<double>(), entry[1].get<double>(), entry[2].get<double>());
+  }
+  return mode;
+}
+
+Json json_of_mode(const LightErrorMode& mode) {
+  Json json = Json::array();
+  for (const auto& vector : mode) json.push_back(json_of_vector(vector));
+  return json;
+}
+
+Json json_of_light(const Light& light, Unit unit) {
   Json json = {{"image", light.image},
                {"direction", json_of_vector(light.direction)},
                {"strength", json_of_strength(light.strength)}};
   if (light.direction_sigma > 0.0) json["direction_sigma_deg"] = light.direction_sigma / degree;
-  if (light.position) json["position_mm"] = json_of_vector(*light.position);
+  if (light.position) json[position_key(unit)] = json_of_vector(*light.position);
   return json;
 }
 
@@ -61,14 +117,22 @@ Json json_of_sphere(const Sphere& sphere) {
 }  // namespace
 
 LightsFile read_lights(const std::filesystem::path& path) {
+  if (is_lp(path)) return lights_from_lp(path);
   const Json json = read_json(path, "lights/1");
   const std::string name = path.string();
   JsonObject object(json, name);
   LightsFile file;
   const Json& lights = object.list("lights");
   if (lights.empty()) object.fail("lights", "is empty; give one entry for each picture");
+  std::optional<Unit> unit;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    file.lights.push_back(light_from(JsonObject(lights[i], entry(name, "lights", i))));
+    file.lights.push_back(light_from(JsonObject(lights[i], entry(name, "lights", i)), unit));
+  }
+  file.position_unit = unit.value_or(Unit::mm);
+  if (object.has("error_modes")) {
+    for (const Json& mode : object.list("error_modes")) {
+      file.errors.push_back(mode_from(mode, file.lights.size(), object));
+    }
   }
   if (object.has("spheres")) {
     const Json& spheres = object.list("spheres");
@@ -90,7 +154,13 @@ std::string lights_text(const LightsFile& file) {
   if (!file.encoding.empty()) json["encoding"] = file.encoding;
   if (!file.strengths_measured) json["strengths_measured"] = false;
   json["lights"] = Json::array();
-  for (const Light& light : file.lights) json["lights"].push_back(json_of_light(light));
+  for (const Light& light : file.lights) {
+    json["lights"].push_back(json_of_light(light, file.position_unit));
+  }
+  if (!file.errors.empty()) {
+    json["error_modes"] = Json::array();
+    for (const auto& mode : file.errors) json["error_modes"].push_back(json_of_mode(mode));
+  }
   json["spheres"] = Json::array();
   for (const Sphere& sphere : file.spheres) json["spheres"].push_back(json_of_sphere(sphere));
   return json.dump(2) + "\n";

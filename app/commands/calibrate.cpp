@@ -7,16 +7,30 @@
 
 #include "app/lit_capture.h"
 #include "app/telling.h"
+#include "capture/movement.h"
+#include "io/lp_file.h"
 #include "io/output.h"
 
 namespace hada {
+namespace {
+
+std::vector<std::string> moved(Photographs photographs, const Calibration& calibration) {
+  std::vector<Sphere> spheres;
+  for (const auto& reading : calibration.readings) spheres.push_back(reading.sphere);
+  photographs.linear = calibration.linear;
+  const Photographs linear = linearized(std::move(photographs));
+  return remarks_on_movement(linear.images, calibration.lights, spheres, linear.mask);
+}
+
+}  // namespace
 
 void calibrate_command(const CalibrateArguments& arguments, const Terminal& terminal) {
-  const Photographs photographs = load_folder(arguments.capture, terminal);
+  Photographs photographs = load_folder(arguments.capture, terminal);
   terminal.step("reading the lights off the spheres");
   const Calibration calibration = calibrate(photographs);
-  const std::string text = lights_text(lights_file(calibration));
-  write_text(arguments.out, text);
+  const std::string text = lights_text(lights_file(calibration, photographs.camera.extent.unit));
+  const bool as_lp = is_lp(arguments.out);
+  write_text(arguments.out, as_lp ? lp_text(calibration.lights) : text);
   for (const auto& reading : calibration.readings) {
     const Sphere& sphere = reading.sphere;
     terminal.say(fmt::format("{} sphere at ({:.2f}, {:.2f}) px, radius {} px", name_of(sphere.kind),
@@ -25,6 +39,14 @@ void calibrate_command(const CalibrateArguments& arguments, const Terminal& term
   }
   terminal.say(told(calibration));
   for (const auto& remark : calibration.remarks) terminal.say("note: " + remark);
+  for (const auto& remark : moved(std::move(photographs), calibration)) {
+    terminal.say("note: " + remark);
+  }
+  if (as_lp) {
+    terminal.say(
+        "note: A .lp file holds directions only: strengths, distances and how sure they are "
+        "are lost; a name that ends in .json keeps them.");
+  }
   terminal.say("wrote " + arguments.out.string());
   terminal.result(text);
 }

@@ -70,7 +70,7 @@ std::string pictures_section(const WholePath& path) {
       text += " " + sphere_sentence(reading);
     }
   }
-  if (!path.lit.lights.spheres.empty()) {
+  if (!path.lit.spheres.empty()) {
     text += " Circles show the spheres as they were found, crosses where each light is seen.";
   }
   html += paragraph(escaped(text)) + "<div class=\"strip\">\n";
@@ -78,7 +78,7 @@ std::string pictures_section(const WholePath& path) {
     const Image small = thumbnail(photographs.images[k], photographs.linear, 300);
     html +=
         photograph_figure({small, double(photographs.images[k].cols()) / std::max(1, small.cols()),
-                           path.lit.lights.spheres, highlights_in(path.lit, k),
+                           path.lit.spheres, highlights_in(path.lit, k),
                            fmt::format("{}: {}", k + 1, photographs.file.pictures[k].name)});
   }
   return html + "</div>\n";

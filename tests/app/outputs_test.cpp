@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/lights_file.h"
 #include "program.h"
 
 namespace hada {
@@ -50,6 +51,40 @@ TEST_F(Outputs, AreTheSameBytesWithOneAndWithTwoThreads) {
   const auto two = contents(path("two"));
   ASSERT_EQ(one.size(), two.size());
   for (const auto& [name, bytes] : one) EXPECT_TRUE(two.at(name) == bytes) << name;
+}
+
+TEST_F(Outputs, OfOneCalibrationServeAnotherCommand) {
+  ASSERT_EQ(answer("calibrate " + at("capture") + " -o " + at("once.json")).code, 0);
+  EXPECT_NE(text_of(path("once.json")).find("\"error_modes\""), std::string::npos);
+  const std::string words = "reconstruct " + at("capture") + " -o ";
+  ASSERT_EQ(answer(words + at("itself")).code, 0);
+  const Answer reused = answer(words + at("reused") + " --lights " + at("once.json"));
+  ASSERT_EQ(reused.code, 0);
+  EXPECT_NE(reused.out.find("4 distant lights taken from once.json, read off 1 sphere (matte)\n"),
+            std::string::npos)
+      << reused.out;
+  const LightsFile one = read_lights(path("itself") / "lights.json");
+  const LightsFile two = read_lights(path("reused") / "lights.json");
+  ASSERT_EQ(one.errors.size(), two.errors.size());
+  ASSERT_FALSE(one.errors.empty());
+  for (std::size_t k = 0; k < one.lights.size(); ++k) {
+    // Normalised once more: a few roundings of numbers below 2.
+    EXPECT_LT((one.lights[k].direction - two.lights[k].direction).norm(), 1e-15);
+    EXPECT_LT((one.lights[k].strength - two.lights[k].strength).norm(), 1e-15);
+    EXPECT_LT((one.errors[0][k] - two.errors[0][k]).norm(), 1e-15);
+  }
+  EXPECT_EQ(one.spheres.size(), two.spheres.size());
+}
+
+TEST_F(Outputs, OfACalibrationMayBeALightPositionFile) {
+  const Answer said = answer("calibrate " + at("capture") + " -o " + at("dome.lp"));
+  ASSERT_EQ(said.code, 0);
+  EXPECT_NE(said.out.find("note: A .lp file holds directions only"), std::string::npos) << said.out;
+  EXPECT_EQ(text_of(path("dome.lp")).rfind("4\nlight_01.png 0.", 0), 0u);
+  EXPECT_EQ(
+      answer("reconstruct " + at("capture") + " --lights " + at("dome.lp") + " -o " + at("by_lp"))
+          .code,
+      0);
 }
 
 TEST_F(Outputs, OfTheWholePathAreTheOnesPromised) {

@@ -53,6 +53,54 @@ TEST(LightStack, MatchesLightsByNameAndElseByOrder) {
   EXPECT_THROW(matched_lights(lights, file), Error);
 }
 
+TEST(LightStack, MatchesLightsByNameWithoutEnding) {
+  CaptureFile file;
+  for (const char* name : {"b.tif", "a.tif"}) file.pictures.push_back({name, name, {}, {}});
+  std::vector<Light> lights{light_at(10, 0), light_at(20, 0), light_at(30, 0)};
+  lights[0].image = "a.jpg";
+  lights[1].image = "c.jpg";
+  lights[2].image = "b.jpg";
+  const auto matched = matched_lights(lights, file);
+  EXPECT_EQ(matched[0].direction, lights[2].direction);
+  EXPECT_EQ(matched[1].direction, lights[0].direction);
+  EXPECT_EQ(matched[0].image, "b.tif");
+}
+
+TEST(LightStack, KeepsErrorModesWithTheirLights) {
+  Photographs photographs;
+  for (const char* name : {"b.png", "a.png"}) {
+    photographs.file.pictures.push_back({name, name, {}, {}});
+  }
+  LightsFile file;
+  file.lights = {light_at(10, 0), light_at(20, 0)};
+  file.lights[0].image = "a.png";
+  file.lights[1].image = "b.png";
+  file.errors = {{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}};
+  const LightsFile matched = matched_lights(file, photographs);
+  EXPECT_EQ(matched.lights[0].direction, file.lights[1].direction);
+  EXPECT_EQ(matched.errors[0][0], Eigen::Vector3d::UnitY());
+  EXPECT_EQ(matched.errors[0][1], Eigen::Vector3d::UnitX());
+}
+
+TEST(LightStack, TakesPositionsOnlyInTheUnitOfThePictures) {
+  Photographs photographs;
+  photographs.file.pictures.push_back({"a.png", "a.png", {}, {}});
+  LightsFile file;
+  file.lights = {light_at(10, 0)};
+  file.lights[0].position = Eigen::Vector3d(0.0, 0.0, 400.0);
+  for (const Unit of_lights : {Unit::mm, Unit::px}) {
+    for (const Unit of_pictures : {Unit::mm, Unit::px}) {
+      file.position_unit = of_lights;
+      photographs.camera.extent.unit = of_pictures;
+      if (of_lights == of_pictures) {
+        EXPECT_TRUE(matched_lights(file, photographs).lights[0].position);
+      } else {
+        EXPECT_THROW(matched_lights(file, photographs), Error);
+      }
+    }
+  }
+}
+
 TEST(LightStack, RefusesAManifestThatGivesOnlySomeLights) {
   CaptureFile file;
   file.pictures.push_back({"a.png", "a.png", Eigen::Vector3d::UnitZ(), {}});

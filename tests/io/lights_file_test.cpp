@@ -35,6 +35,14 @@ LightsFile some_lights(Seed seed) {
     if (draw(9) < 0.3) light.position = Eigen::Vector3d(draw(10), draw(11), 300.0 * draw(12));
     file.lights.push_back(light);
   }
+  if (uniform(seed, 3) < 0.5) file.position_unit = Unit::px;
+  file.errors.resize(std::size_t(4 * uniform(seed, 4)));
+  for (std::size_t m = 0; m < file.errors.size(); ++m) {
+    for (int i = 0; i < count; ++i) {
+      const auto draw = [&](int k) { return 0.01 * gaussian(seed, i, 3 + int(m), k); };
+      file.errors[m].emplace_back(draw(0), draw(1), draw(2));
+    }
+  }
   for (int i = 0; i < int(3 * uniform(seed, 1)); ++i) {
     const auto draw = [&](int k) { return uniform(seed, i, 2, k); };
     Sphere sphere{draw(0) < 0.5 ? SphereKind::matte : SphereKind::chrome,
@@ -64,6 +72,10 @@ RC_GTEST_PROP(LightsFile, ReturnsFromItsTextWhatWasWritten, (std::uint64_t seed)
     RC_ASSERT(std::abs(a.direction_sigma - b.direction_sigma) < 1e-16);  // of 0.1, via degrees
     RC_ASSERT(a.position == b.position);
   }
+  const bool near = std::any_of(file.lights.begin(), file.lights.end(),
+                                [](const Light& light) { return light.position.has_value(); });
+  RC_ASSERT(!near || again.position_unit == file.position_unit);
+  RC_ASSERT(again.errors == file.errors);
   RC_ASSERT(again.spheres.size() == file.spheres.size());
   for (std::size_t i = 0; i < file.spheres.size(); ++i) {
     RC_ASSERT(again.spheres[i].kind == file.spheres[i].kind);
@@ -94,6 +106,28 @@ TEST(LightsFile, NamesTheKeyOfEveryFlaw) {
   EXPECT_THAT(error(R"({"image":"a","direction":[0,0,1],"strength":1,"power":2})"),
               HasSubstr("\"power\" is not a known key"));
   EXPECT_THAT(error(R"(3)"), HasSubstr("lights[0]: must be an object"));
+  const std::string near = R"("image":"a","direction":[0,0,1],"strength":1,"position_)";
+  EXPECT_THAT(error("{" + near + R"(mm":[0,0,9]},{)" + near + R"(px":[0,0,9]})"),
+              HasSubstr("lights[1]: \"position_px\" mixes mm and px"));
+  EXPECT_THAT(error("{" + near + R"(mm":[0,0,0]})"), HasSubstr("\"position_mm\" is the origin"));
+}
+
+TEST(LightsFile, RefusesErrorModesThatDoNotMatchTheLights) {
+  const auto error = [](const std::string& modes) {
+    return error_of([&] {
+      read_text(R"({"hada":"lights/1","lights":[{"image":"a","direction":[0,0,1],"strength":1}],)"
+                R"("error_modes":)" +
+                modes + "}");
+    });
+  };
+  EXPECT_EQ(error("[]"), "");
+  EXPECT_EQ(error("[[[0.1,0,0]],[[0,0.1,0]]]"), "");
+  for (const char* flawed : {"[[]]", "[[[1,2]]]", "[[[1,2,null]]]", "[[[1,2,3],[1,2,3]]]", "[1]",
+                             "[[1,2,3]]", R"([{"a":[1,2,3]}])"}) {
+    EXPECT_THAT(error(flawed), HasSubstr("\"error_modes\" must be a list of modes, each with 1"))
+        << flawed;
+  }
+  EXPECT_THAT(error("3"), HasSubstr("\"error_modes\" must be a list"));
 }
 
 RC_GTEST_PROP(LightsFile, SurvivesCutsAndChangedBytes,
