@@ -26,9 +26,8 @@ PixelLevel PixelLevel::of(const Mask& mask) {
   const int rows = mask.rows();
   const int cols = mask.cols();
   for_each_index(rows, [&](int row) {
-    std::uint8_t* const code[2] = {level.code.data() + level.at.start(row, 0),
-                                   level.code.data() + level.at.start(row, 1)};
-    // The first and last column aside, so that the others need not ask where the picture ends.
+    std::uint8_t* const codes[2] = {level.code.data() + level.at.start(row, 0),
+                                    level.code.data() + level.at.start(row, 1)};
     const auto here = mask.row(row);
     const auto above = mask.row(row > 0 ? row - 1 : row);
     const auto below = mask.row(row + 1 < rows ? row + 1 : row);
@@ -36,9 +35,9 @@ PixelLevel PixelLevel::of(const Mask& mask) {
     const bool has_below = row + 1 < rows;
     for (int col = 0; col < cols; ++col) {
       const auto c = std::size_t(col);
-      const int edges = (has_above && above[c]) + (has_below && below[c]) +
+      const int count = (has_above && above[c]) + (has_below && below[c]) +
                         (col > 0 && here[c - 1]) + (col + 1 < cols && here[c + 1]);
-      code[col % 2][col / 2] = here[c] ? row_kernels::edge_code(edges) : std::uint8_t(0);
+      codes[col % 2][col / 2] = here[c] ? row_kernels::edge_code(count) : std::uint8_t(0);
     }
   });
   return level;
