@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <ceres/ceres.h>
 
 #include "capture/sphere_geometry.h"
 #include "core/light_stack.h"

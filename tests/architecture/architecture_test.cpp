@@ -52,6 +52,7 @@ const std::map<std::string, Names> doors = {
     {"io/json.h", {"nlohmann"}},
     {"io/json_light.h", {}},
     {"fit/solve.h", {"ceres"}},
+    {"capture/joint_problem.h", {"ceres"}},
     {"capture/opencv_view.h", {"opencv2"}},
 };
 
