@@ -44,7 +44,7 @@ void decide_encoding(Photographs& photographs, const std::vector<Sphere>& sphere
                      std::vector<std::string>& remarks) {
   const bool has_matte = std::any_of(spheres.begin(), spheres.end(),
                                      [](const Sphere& s) { return s.kind == SphereKind::matte; });
-  if (!has_matte) return;
+  if (!has_matte || photographs.encoding_known) return;
   const double linear = matte_misfit(photographs, spheres, true);
   const double srgb = matte_misfit(photographs, spheres, false);
   const bool looks_linear = linear <= srgb;
@@ -95,6 +95,10 @@ std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < count; ++k) {
       colour[k] = reading.lights[k].strength;
+      if (!(colour[k].minCoeff() > 0.0)) {
+        throw Error(reading.lights[k].image +
+                    ": its light lacks a colour altogether; use white lamps, or grey pictures");
+      }
       mean += colour[k] / double(count);
     }
     for (auto& channels : colour) {

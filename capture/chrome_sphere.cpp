@@ -125,6 +125,7 @@ std::optional<Highlight> highlight(const Grid<float>& grey, const Mask& saturate
 SphereReading read_chrome_sphere(const Photographs& linear, const Sphere& sphere) {
   SphereReading reading;
   reading.sphere = sphere;
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   const std::size_t count = linear.images.size();
   std::vector<std::optional<Highlight>> highlights(count);
   for_each_index(int(count), [&](int k) {
@@ -147,7 +148,7 @@ SphereReading read_chrome_sphere(const Photographs& linear, const Sphere& sphere
       const double outline_and_spot = 2.0 * std::hypot(sphere.sigma_px, spot_px) / sphere.radius_px;
       light.direction_sigma = std::hypot(outline_and_spot, 0.1 * h->width);
     }
-    reading.highlights_px.push_back(h ? h->center_px : Eigen::Vector2d(-1.0, -1.0));
+    reading.highlights_px.push_back(h ? h->center_px : Eigen::Vector2d(nowhere, nowhere));
     reading.lights.push_back(light);
   }
   return reading;

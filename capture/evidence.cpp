@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "capture/chrome_sphere.h"
@@ -90,7 +89,10 @@ MatteEvidence matte_evidence(const Photographs& linear, const std::vector<Grid<f
       hits.push_back(*hit);
       seen.bends.push_back(mean_normal(in_place, linear.camera, at, stride) - hit->normal);
       for (std::size_t k = 0; k < greys.size(); ++k) {
-        seen.values[k].push_back(mean_around(greys[k], linear.saturated[k], row, col, stride));
+        // A sphere that is not lit like one in a picture has nothing to say of its light.
+        const bool lit = std::isfinite(readings[which].lights[k].direction_sigma);
+        seen.values[k].push_back(lit ? mean_around(greys[k], linear.saturated[k], row, col, stride)
+                                     : unknown);
       }
     }
   }
@@ -98,6 +100,22 @@ MatteEvidence matte_evidence(const Photographs& linear, const std::vector<Grid<f
   for (const auto& reading : readings) spheres.push_back(reading.sphere);
   seen.thrown = thrown_light(greys, linear.camera, spheres, hits);
   return seen;
+}
+
+bool says_anything(const MatteEvidence& seen) {
+  return std::any_of(seen.values.begin(), seen.values.end(), [](const auto& values) {
+    return std::any_of(values.begin(), values.end(), [](double v) { return !std::isnan(v); });
+  });
+}
+
+// How bright the sample is in a picture, so that weak lamps are not taken for shadows.
+double level_of(const Grid<float>& grey, const Mask& mask) {
+  std::vector<float> values;
+  const std::size_t stride = 1 + mask.size() / 20000;
+  for (std::size_t i = 0; i < mask.size(); i += stride) {
+    if (mask[i]) values.push_back(grey[i]);
+  }
+  return values.empty() ? 1.0 : std::max(double(median(std::move(values))), 1e-9);
 }
 
 void add_chrome(const Photographs& linear, const std::vector<SphereReading>& readings,
@@ -138,6 +156,8 @@ SheetEvidence sheet_evidence(const Photographs& linear, const std::vector<Grid<f
   const auto area = std::count(mask.begin(), mask.end(), 1);
   if (area == 0) return sheet;
   const int stride = stride_for(double(area), count);
+  std::vector<double> level;
+  for (const auto& grey : greys) level.push_back(level_of(grey, mask));
   const int side = std::min(3, stride) / 2 * 2 + 1;  // shadows are narrow
   for (int row = stride / 2; row < mask.rows(); row += stride) {
     for (int col = stride / 2; col < mask.cols(); col += stride) {
@@ -147,13 +167,14 @@ SheetEvidence sheet_evidence(const Photographs& linear, const std::vector<Grid<f
         values.push_back(mean_around(greys[k], linear.saturated[k], row, col, side));
       }
       // What is far darker than the rest lies in a shadow, which a matte sheet cannot explain.
-      std::vector<double> seen;
-      std::copy_if(values.begin(), values.end(), std::back_inserter(seen),
-                   [](double value) { return !std::isnan(value); });
-      if (seen.empty()) continue;
-      const double dark = 0.15 * median(std::move(seen));
-      for (double& value : values) {
-        if (value < dark) value = unknown;
+      std::vector<double> relative;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!std::isnan(values[k])) relative.push_back(values[k] / level[k]);
+      }
+      if (relative.empty()) continue;
+      const double dark = 0.15 * median(std::move(relative));
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (values[k] < dark * level[k]) values[k] = unknown;
       }
       const auto known = std::count_if(values.begin(), values.end(),
                                        [](double value) { return !std::isnan(value); });
@@ -163,7 +184,6 @@ SheetEvidence sheet_evidence(const Photographs& linear, const std::vector<Grid<f
       sheet.values.push_back(std::move(values));
     }
   }
-  sheet.center = middle_of(mask, linear.camera.extent);
   return sheet;
 }
 
@@ -192,16 +212,19 @@ Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& r
   Evidence all;
   for (std::size_t which = 0; which < readings.size(); ++which) {
     if (readings[which].sphere.kind == SphereKind::matte) {
-      all.matte.push_back(matte_evidence(linear, greys, readings, which, count));
+      auto seen = matte_evidence(linear, greys, readings, which, count);
+      if (says_anything(seen)) all.matte.push_back(std::move(seen));
     } else {
       add_chrome(linear, readings, which, all.chrome);
     }
   }
   const Mask mask = sheet_mask(linear, greys, readings);
   constexpr std::size_t fewest_lights = 5;  // with four and less a sheet agrees to nearly anything
-  if (greys.size() >= fewest_lights && !mask.empty()) {
+  const bool has_sample = std::any_of(mask.begin(), mask.end(), [](auto m) { return m != 0; });
+  if (has_sample && greys.size() >= fewest_lights) {
     all.sheet = sheet_evidence(linear, greys, mask, count);
   }
+  if (has_sample) all.sheet.center = middle_of(mask, linear.camera.extent);
   return all;
 }
 

@@ -12,7 +12,6 @@
 #include "capture/joint_problem.h"
 #include "capture/light_cost.h"
 #include "capture/sphere_geometry.h"
-#include "core/parallel.h"
 #include "core/quantile.h"
 
 namespace hada {

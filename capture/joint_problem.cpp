@@ -38,6 +38,7 @@ JointProblem::JointProblem(JointState& state, const Evidence& evidence, LampMode
     problem.AddParameterBlock(&light.inverse_distance, 1);
     shared.insert(shared.end(),
                   {light.direction.data(), &light.log_strength, &light.inverse_distance});
+    problem.SetParameterLowerBound(&light.inverse_distance, 0, 0.0);  // no lamp is behind infinity
     if (model == LampModel::distant) problem.SetParameterBlockConstant(&light.inverse_distance);
   }
   problem.AddParameterBlock(&state.table, 1);
@@ -87,7 +88,7 @@ void JointProblem::add_chrome(JointState& state, const ChromeEvidence& seen) {
   using Cost = ceres::AutoDiffCostFunction<ChromeCost, 2, 3, 1, 1, 3>;
   add(new Cost(new ChromeCost{seen.ray, seen.offset, across(vector_of(light.direction.data())),
                               &sphere.sigma}),
-      robust(), other,
+      robust(), {Row::Kind::chrome, 0},
       {light.direction.data(), &light.inverse_distance, &state.table, sphere.place.data()});
 }
 
@@ -124,6 +125,9 @@ void JointProblem::add_priors(JointState& state) {
   for (LightState& light : state.lights) {
     add(new Number(new PriorCost<1>{One(0.0), One(state.strength_sigma)}), nullptr, other,
         {&light.log_strength});
+    // Where nothing tells how far a lamp is, it is at least not inside the scene.
+    add(new Number(new PriorCost<1>{One(0.0), One(0.5 / largest_radius(state))}), nullptr, other,
+        {&light.inverse_distance});
   }
   constexpr double table_sigma = 0.3;  // of the radius: a sheet bulges, and has something under it
   add(new Number(new PriorCost<1>{One(0.0), One(table_sigma * largest_radius(state))}), nullptr,

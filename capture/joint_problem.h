@@ -14,7 +14,7 @@ namespace hada {
 struct JointProblem {
   /// Residuals of one cluster lie close together on one thing and may hang together.
   struct Row {
-    enum class Kind { matte, sheet, other } kind;
+    enum class Kind { matte, chrome, sheet, other } kind;
     int cluster;
   };
 

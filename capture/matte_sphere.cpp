@@ -160,7 +160,8 @@ SphereReading read_matte_sphere(const Photographs& linear, const Sphere& sphere)
   reading.sphere = sphere;
   const std::size_t count = linear.images.size();
   reading.lights.resize(count);
-  reading.highlights_px.resize(count);
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  reading.highlights_px.assign(count, {nowhere, nowhere});
   std::vector<double> misfits(count);
   for_each_index(int(count), [&](int picture) {
     const auto k = std::size_t(picture);

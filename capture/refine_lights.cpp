@@ -29,17 +29,20 @@ struct Settled {
 };
 
 // Distant lamps first; then the distances are let go, and kept where they matter.
-Settled settled(const Evidence& all, JointState state, const Camera& camera) {
+// half  half of the picture's diagonal
+Settled settled(const Evidence& all, JointState state, double half) {
   descend(state, all, LampModel::distant, 3);
   // One sphere by itself sees every light from one place: how far it is, only a second one or a
   // sample beside it can tell.
   if (state.spheres.size() < 2 && state.sheet.empty()) return {state, LampModel::distant};
-  const double half = 0.5 * std::hypot(camera.extent.width(), camera.extent.height());
   constexpr double first_nearness = 0.05;  // anything that is not 0: the strengths then follow
   JointState near = state;
   for (LightState& light : near.lights) light.inverse_distance = first_nearness / half;
   descend(near, all, LampModel::near, 1);
-  if (nearness(near, half) < notable_nearness) return {state, LampModel::distant};
+  // Under the same noise levels, distances must take off more than so many free numbers do by luck.
+  const double gain = 2.0 * (state.cost - near.cost);
+  const bool helps = gain > 3.0 * double(state.lights.size());
+  if (!helps || nearness(near, half) < notable_nearness) return {state, LampModel::distant};
   descend(near, all, LampModel::near, 3);
   if (nearness(near, half) < notable_nearness) return {state, LampModel::distant};
   return {near, LampModel::near};
@@ -52,7 +55,9 @@ std::vector<LightErrorMode> modes_of(const Eigen::MatrixXd& covariance) {
   std::vector<LightErrorMode> modes;
   double left = total;
   constexpr double negligible = 0.01;
-  for (Eigen::Index i = covariance.rows() - 1; i >= 0 && left > negligible * total; --i) {
+  constexpr std::size_t most = 24;  // what many lights share is in the first few
+  for (Eigen::Index i = covariance.rows() - 1;
+       i >= 0 && left > negligible * total && modes.size() < most; --i) {
     const double variance = std::max(0.0, solver.eigenvalues()[i]);
     left -= variance;
     LightErrorMode mode;
@@ -76,8 +81,9 @@ double direction_sigma(const Eigen::Matrix3d& covariance, const Eigen::Vector3d&
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
                              const std::vector<Light>& lights) {
   const Evidence all = evidence(linear, readings);
-  auto [state, model] =
-      settled(all, first_state(all, readings, lights, linear.camera), linear.camera);
+  const Extent& extent = linear.camera.extent;
+  const double half = 0.5 * std::hypot(extent.width(), extent.height());
+  auto [state, model] = settled(all, first_state(all, readings, lights, linear.camera), half);
   const Eigen::MatrixXd covariance = arriving_covariance(state, all, model, all.sheet.center);
   RefinedLights refined;
   refined.near = model == LampModel::near;
@@ -92,9 +98,10 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
     const LightState& found = state.lights[k];
     const Eigen::Vector3d arriving = arriving_at(found, all.sheet.center);
     light.direction = arriving.normalized();
-    light.strength.setConstant(std::exp(found.log_strength));
+    light.strength.setConstant(std::exp(found.log_strength) / mean);
     light.position.reset();
-    if (refined.near) {
+    constexpr double farthest = 1e-4;  // nearness of a lamp that might as well be at infinity
+    if (refined.near && found.inverse_distance * half > farthest) {
       light.position =
           Eigen::Map<const Eigen::Vector3d>(found.direction.data()) / found.inverse_distance;
     }
@@ -113,9 +120,6 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
     }
   }
   refined.disagreement = disagreement(state, refined.seen);
-  for (const MatteEvidence& seen : all.matte) {
-    refined.reflectance = std::max(refined.reflectance, state.spheres[seen.sphere].surface[1]);
-  }
   return refined;
 }
 

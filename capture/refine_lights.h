@@ -13,7 +13,6 @@ struct RefinedLights {
   std::vector<LightErrorMode> errors;    // how they may be wrong together
   std::vector<std::vector<Light>> seen;  // for each sphere: what it alone says, at its own place
   double disagreement = 0.0;             // mean angle between what two spheres say, radians
-  double reflectance = 0.0;              // of the matte spheres for light thrown by the sheet
   bool near = false;                     // whether the lamps have a position
   bool strengths_measured = true;        // false: neither a matte sphere nor a sample shows them
 };

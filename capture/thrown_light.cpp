@@ -27,7 +27,10 @@ std::vector<Patch> patches(const std::vector<Grid<float>>& greys, const Camera& 
                            const std::vector<Sphere>& spheres) {
   const Extent& extent = camera.extent;
   constexpr int across = 40;
-  const int block = std::max(1, std::max(extent.rows, extent.cols) / across);
+  double smallest = 1e9;
+  for (const Sphere& sphere : spheres) smallest = std::min(smallest, sphere.radius_px);
+  const int block =
+      std::max(1, std::min(std::max(extent.rows, extent.cols) / across, int(0.5 * smallest)));
   const int rows = (extent.rows + block - 1) / block;
   const int cols = (extent.cols + block - 1) / block;
   std::vector<Patch> all(std::size_t(rows) * std::size_t(cols));

@@ -54,6 +54,7 @@ std::vector<std::string> remarks_on_curve(const Photographs& linear,
   const std::size_t count = linear.images.size();
   const std::size_t asked = std::min(most_pictures, count);
   std::vector<double> misfits(exponents.size());
+  double pictures = 0.0;
   for (const SphereReading& reading : calibration.readings) {
     if (reading.sphere.kind != SphereKind::matte) continue;
     std::vector<std::array<double, exponents.size()>> seen(asked);
@@ -64,30 +65,30 @@ std::vector<std::string> remarks_on_curve(const Photographs& linear,
     for (const auto& picture : seen) {
       for (std::size_t e = 0; e < exponents.size(); ++e) misfits[e] += picture[e];
     }
-    const auto best =
-        std::size_t(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
-    const double exponent = best_exponent(misfits, best);
-    constexpr double notable = 1.2;
-    constexpr double better = 0.67;
-    if (std::abs(std::log(exponent)) < std::log(notable) ||
-        misfits[best] > better * misfits[unit_exponent]) {
-      return {};
-    }
-    const std::string numbers = fmt::format(
-        "the shading of the matte sphere is off by {:.1f} % as they are, by {:.1f} % without it",
-        100.0 * misfits[unit_exponent] / double(asked), 100.0 * misfits[best] / double(asked));
-    if (calibration.linear) {
-      return {fmt::format(
-          "These pictures are not linear (gamma about {:.1f}): {}; develop them without a tone "
-          "curve, or say \"encoding\": \"srgb\" in capture.json if that is what it is.",
-          exponent, numbers)};
-    }
+    pictures += double(asked);
+  }
+  if (pictures == 0.0) return {};
+  const auto best = std::size_t(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
+  const double exponent = best_exponent(misfits, best);
+  constexpr double notable = 1.2;
+  constexpr double better = 0.67;
+  if (std::abs(std::log(exponent)) < std::log(notable) ||
+      misfits[best] > better * misfits[unit_exponent]) {
+    return {};
+  }
+  const std::string numbers = fmt::format(
+      "the shading of the matte sphere is off by {:.1f} % as they are, by {:.1f} % without it",
+      100.0 * misfits[unit_exponent] / pictures, 100.0 * misfits[best] / pictures);
+  if (calibration.linear) {
     return {fmt::format(
-        "Taken as sRGB these pictures are not linear (an exponent of about {:.1f} is left): {}; "
-        "check \"encoding\" in capture.json, and develop without a tone curve.",
+        "These pictures are not linear (gamma about {:.1f}): {}; develop them without a tone "
+        "curve, or say \"encoding\": \"srgb\" in capture.json if that is what it is.",
         exponent, numbers)};
   }
-  return {};
+  return {fmt::format(
+      "Taken as sRGB these pictures are not linear (an exponent of about {:.1f} is left): {}; "
+      "check \"encoding\" in capture.json, and develop without a tone curve.",
+      exponent, numbers)};
 }
 
 }  // namespace hada

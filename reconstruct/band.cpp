@@ -19,22 +19,34 @@ struct Run {
   int row, col, count;
 };
 
+LightDoubt doubt_of(const LightStack& stack) {
+  LightDoubt doubt;
+  for (const Light& light : stack.lights) {
+    doubt.tilt_squared.push_back(float(light.direction_sigma * light.direction_sigma));
+  }
+  for (const LightErrorMode& mode : stack.light_errors) {
+    for (std::size_t k = 0; k < mode.size(); ++k) {
+      const Eigen::Vector3d relative = mode[k] / stack.lights[k].strength.mean();
+      for (int axis = 0; axis < 3; ++axis) doubt.modes.push_back(float(relative[axis]));
+    }
+  }
+  return doubt;
+}
+
 // Everything one thread needs.
 struct Workspace {
   Tile tile;
   TileSolver solver;
   Judgement judgement;
-  std::vector<float> inside, tilt_squared, shading, channel;
+  LightDoubt doubt;
+  std::vector<float> inside, shading, channel;
 
   Workspace(const TileSource& source, const NormalPlan& plan, int pixels)
       : tile(source.tile(pixels, plan.shared)),
         solver(plan, tile),
         judgement(tile.lights, pixels),
-        inside(std::size_t(tile.stride)) {
-    for (const Light& light : source.stack.lights) {
-      tilt_squared.push_back(float(light.direction_sigma * light.direction_sigma));
-    }
-  }
+        doubt(doubt_of(source.stack)),
+        inside(std::size_t(tile.stride)) {}
 };
 
 // rho of I = rho * shading by weighted least squares, in one channel.
@@ -100,7 +112,7 @@ void put_judgement(const std::vector<Run>& runs, Workspace& work, NormalMaps& ma
       work.inside[pixel] = valid ? 1.0f : 0.0f;
     }
   }
-  judge(tile, work.tilt_squared, work.inside, judgement);
+  judge(tile, work.doubt, work.inside, judgement);
   for (const Run& run : runs) {
     for (int i = 0; i < run.count; ++i) {
       const auto pixel = std::size_t(run.first + i);

@@ -14,9 +14,32 @@ constexpr float least_left = 0.05f;  // of 1 - leverage: a sample that its pixel
   store(sums + which * lane_count, load(sums + which * lane_count) + values);
 }
 
+// Sum over the modes of the squared part across the normal of what a mode moves rho n by.
+[[gnu::always_inline]] inline Lanes together(const LightDoubt& doubt, int lights,
+                                             const Lanes3& found, const Lanes3& normal,
+                                             const float* gains) {
+  Lanes total{};
+  const std::size_t length = 3 * std::size_t(lights);
+  for (std::size_t first = 0; first < doubt.modes.size(); first += length) {
+    Lanes3 moved{all(0.0f), all(0.0f), all(0.0f)};
+    for (int k = 0; k < lights; ++k) {
+      const float* mode = &doubt.modes[first + 3 * std::size_t(k)];
+      const float* gain = gains + 3 * k * lane_count;
+      const Lanes change = found.x * all(mode[0]) + found.y * all(mode[1]) + found.z * all(mode[2]);
+      moved.x += change * load(gain);
+      moved.y += change * load(gain + lane_count);
+      moved.z += change * load(gain + 2 * lane_count);
+    }
+    const Lanes along = dot(normal, moved);
+    total += dot(moved, moved) - along * along;
+  }
+  return total;
+}
+
 template <bool near>
-[[gnu::always_inline]] inline void weigh(const Tile& tile, const float* tilt_squared,
+[[gnu::always_inline]] inline void weigh(const Tile& tile, const LightDoubt& doubt,
                                          const float* inside, Judgement& judgement) {
+  const float* tilt_squared = doubt.tilt_squared.data();
   float* sums_by_light = judgement.scratch.data();
   for (float& sum : judgement.scratch) sum = 0.0f;
   for (int first = 0; first < tile.pixels; first += lane_count) {
@@ -48,6 +71,10 @@ template <bool near>
       inliers += chosen(w >= all(0.5f), all(1.0f), all(0.0f));
       const Lanes along = dot(normal, g);
       light_variance += variance * w * w * (dot(g, g) - along * along);
+      float* gain = &judgement.gains[std::size_t(3 * k * lane_count)];
+      store(gain, w * g.x);
+      store(gain + lane_count, w * g.y);
+      store(gain + 2 * lane_count, w * g.z);
       const Lanes value = load(tile.raw.empty() ? &tile.grey[i] : &tile.raw[i]);
       const Lanes believed = counts * block.trust(k);
       const Lanes missed = r / larger(all(least_left), all(1.0f) - leverage);
@@ -58,6 +85,9 @@ template <bool near>
       add_to(sums, 1, chosen(take, w * r * r, none));
       add_to(sums, 2, chosen(take, w * value * value, none));
       add_to(sums, 3, chosen(take, believed * missed * missed, none));
+    }
+    if (!doubt.modes.empty()) {
+      light_variance = together(doubt, tile.lights, found, normal, judgement.gains.data());
     }
     const Lanes along = dot(normal, inverse * normal);
     const Lanes across = inverse.xx + inverse.yy + inverse.zz - along;
@@ -83,7 +113,8 @@ template <bool near>
 }  // namespace
 
 Judgement::Judgement(int lights, int most_pixels)
-    : scratch(4 * std::size_t(lights) * lane_count, 0.0f) {
+    : scratch(4 * std::size_t(lights) * lane_count, 0.0f),
+      gains(3 * std::size_t(lights) * lane_count, 0.0f) {
   const std::size_t padded = std::size_t((most_pixels + lane_count - 1) / lane_count * lane_count);
   for (auto* values : {&squares, &freedom, &noise_gain, &light_variance, &albedo_gain, &inliers}) {
     values->assign(padded, 0.0f);
@@ -93,14 +124,13 @@ Judgement::Judgement(int lights, int most_pixels)
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void judge(const Tile& tile,
-                                                     const std::vector<float>& tilt_squared,
+[[gnu::target_clones("avx2", "default")]] void judge(const Tile& tile, const LightDoubt& doubt,
                                                      const std::vector<float>& inside,
                                                      Judgement& judgement) {
   if (tile.near) {
-    weigh<true>(tile, tilt_squared.data(), inside.data(), judgement);
+    weigh<true>(tile, doubt, inside.data(), judgement);
   } else {
-    weigh<false>(tile, tilt_squared.data(), inside.data(), judgement);
+    weigh<false>(tile, doubt, inside.data(), judgement);
   }
 }
 

@@ -6,6 +6,14 @@
 
 namespace hada {
 
+/// How wrong the lights may be.
+struct LightDoubt {
+  std::vector<float> tilt_squared;  // variance of each light's direction, per tangent axis
+  // Ways in which all lights are wrong together: x, y, z for each light, over its strength, mode by
+  // mode. Empty: each tilts for itself.
+  std::vector<float> modes;
+};
+
 /// How sure the answers of a tile are: one value for each pixel.
 struct Judgement {
   std::vector<float> squares;     // weighted squared residuals, less what the lights explain
@@ -21,6 +29,7 @@ struct Judgement {
   std::vector<double> left_out;      // residuals of each sample against the fit to all others
 
   std::vector<float> scratch;  // four vectors for each light
+  std::vector<float> gains;    // three vectors for each light
 
   Judgement(int lights, int most_pixels);
 };
@@ -31,8 +40,9 @@ struct Judgement {
 /// w g carries on to the normal; and the fit without sample k misses it by r / (1 - w g.l), the
 /// predicted residual (D. M. Allen, Technometrics 16, 1974), weights held.
 ///
-/// tilt_squared  variance of each light's direction, per tangent axis
-void judge(const Tile& tile, const std::vector<float>& tilt_squared,
-           const std::vector<float>& inside, Judgement& judgement);
+/// Lights that are wrong together, by e_k each, move rho n by sum w g (rho n.e_k): a sphere whose
+/// outline is off turns them all and the surface with them, where independent tilts would cancel.
+void judge(const Tile& tile, const LightDoubt& doubt, const std::vector<float>& inside,
+           Judgement& judgement);
 
 }  // namespace hada

@@ -1,5 +1,6 @@
 #include "capture/joint_fit.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "made_evidence.h"
