@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "reconstruct/judge.h"
+#include "reconstruct/least_squares.h"
 #include "reconstruct/robust_pca.h"
 #include "reconstruct/unit_normals.h"
 
@@ -24,6 +25,7 @@ struct Workspace {
   Tile tile;
   TileSolver solver;
   Judgement judgement;
+  GreyRows rows;
   std::vector<float> inside, tilt_squared, shading, channel;
 
   Workspace(const TileSource& source, const NormalPlan& plan, int pixels)
@@ -61,29 +63,19 @@ void channel_albedo(const TileSource& source, Workspace& work, const Run& run, i
 
 void put(const TileSource& source, const NormalPlan& plan, const std::vector<Run>& runs,
          Workspace& work, NormalMaps& maps) {
-  Tile& tile = work.tile;
+  const Tile& tile = work.tile;
   Orientation& found = maps.orientation;
   const bool coloured = found.albedo.channels() > 1;
   if (coloured) shading_of(tile, plan.terms, work.shading);
-  split_albedo(tile);
   for (const Run& run : runs) {
     const auto col = std::size_t(run.col);
-    Eigen::Vector3f* normals = &found.normals.row(run.row)[col];
-    std::uint8_t* mask = &found.mask.row(run.row)[col];
-    float* rho = &found.rho.row(run.row)[col];
-    const auto first = std::size_t(run.first);
-    for (std::size_t i = 0; i < std::size_t(run.count); ++i) {
-      const bool valid = mask[i] && tile.rho[first + i] > 0.0f;
-      mask[i] = valid;
-      rho[i] = tile.rho[first + i];
-      if (valid) {
-        normals[i] = {tile.x[first + i], tile.y[first + i], tile.z[first + i]};
-      }
-    }
-    if (coloured) {
-      for (int c = 0; c < found.albedo.channels(); ++c) {
-        channel_albedo(source, work, run, c, found.albedo.planes[std::size_t(c)]);
-      }
+    put_unit_normals(tile, run.first, run.count,
+                     {.normals = found.normals.row(run.row)[col].data(),
+                      .rho = &found.rho.row(run.row)[col],
+                      .mask = &found.mask.row(run.row)[col]});
+    if (!coloured) continue;
+    for (int c = 0; c < found.albedo.channels(); ++c) {
+      channel_albedo(source, work, run, c, found.albedo.planes[std::size_t(c)]);
     }
   }
 }
@@ -192,6 +184,9 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
   }
   const Mask& mask = source.stack.mask;
   Workspace work(source, plan, std::min(tile_pixels, mask.cols()));
+  // The plain method without sigmas looks at every sample once, and needs no tile of them.
+  const bool direct =
+      plan.estimator == Estimator::least_squares && source.reads_directly() && !uncertainty;
   std::vector<LightSums> sums;
   for (int row = begin; row < end; ++row) {
     for (int col = 0; col < mask.cols(); col += tile_pixels) {
@@ -199,8 +194,13 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
       if (!any_inside(mask, row, col, count)) continue;
       const std::vector<Run> runs{{0, row, col, count}};
       work.tile.pixels = count;
-      const bool all_trusted = source.fill(work.tile, 0, row, col, count);
-      work.solver.solve(work.tile, all_trusted);
+      if (direct && count >= lane_count) {
+        source.point_at_row(row, col, work.rows);
+        fit_pseudo_inverse(work.rows, count, plan.pseudo_inverse, work.tile);
+      } else {
+        const bool all_trusted = source.fill(work.tile, 0, row, col, count);
+        work.solver.solve(work.tile, all_trusted);
+      }
       if (uncertainty) put_judgement(runs, work, maps);
       put(source, plan, runs, work, maps);
     }

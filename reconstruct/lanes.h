@@ -16,6 +16,7 @@ namespace hada {
 
 using Lanes = float __attribute__((vector_size(32)));
 using LaneBits = std::int32_t __attribute__((vector_size(32)));  // all ones: yes
+using LaneBytes = std::uint8_t __attribute__((vector_size(8)));
 
 [[gnu::always_inline]] inline Lanes load(const float* from) {
   Lanes lanes;
@@ -27,8 +28,25 @@ using LaneBits = std::int32_t __attribute__((vector_size(32)));  // all ones: ye
   std::memcpy(to, &lanes, sizeof lanes);
 }
 
+/// Eight bytes, as numbers.
+[[gnu::always_inline]] inline LaneBits load_bytes(const std::uint8_t* from) {
+  LaneBytes bytes;
+  std::memcpy(&bytes, from, sizeof bytes);
+  return __builtin_convertvector(bytes, LaneBits);
+}
+
+/// The lowest byte of each lane.
+[[gnu::always_inline]] inline void store_bytes(std::uint8_t* to, const LaneBits& lanes) {
+  const LaneBytes bytes = __builtin_convertvector(lanes, LaneBytes);
+  std::memcpy(to, &bytes, sizeof bytes);
+}
+
+// A shuffle, which GCC makes one instruction of after inlining; a list of eight values it takes
+// apart before, when it does not know yet what the machine can do.
 [[gnu::always_inline]] inline Lanes all(float value) {
-  return Lanes{value, value, value, value, value, value, value, value};
+  Lanes lanes{};
+  lanes[0] = value;
+  return __builtin_shufflevector(lanes, lanes, 0, 0, 0, 0, 0, 0, 0, 0);
 }
 
 [[gnu::always_inline]] inline Lanes chosen(const LaneBits& which, const Lanes& yes,

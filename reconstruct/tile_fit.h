@@ -97,9 +97,8 @@ struct Inverse {
   for (const auto& [low, high] : tile.network) {
     const Lanes a = load(values + low * lane_count);
     const Lanes b = load(values + high * lane_count);
-    const LaneBits swap = a > b;
-    store(values + low * lane_count, chosen(swap, b, a));
-    store(values + high * lane_count, chosen(swap, a, b));
+    store(values + low * lane_count, smaller(a, b));
+    store(values + high * lane_count, larger(a, b));
   }
 }
 

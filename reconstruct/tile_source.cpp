@@ -119,6 +119,19 @@ bool TileSource::fill(Tile& tile, int first, int row, int col, int count) const 
   return all_trusted;
 }
 
+bool TileSource::reads_directly() const {
+  return stack.images.front().channels() == 1 && !near();
+}
+
+void TileSource::point_at_row(int row, int col, GreyRows& rows) const {
+  rows.values.clear();
+  rows.scale.clear();
+  for (std::size_t k = 0; k < stack.images.size(); ++k) {
+    rows.values.push_back(stack.images[k].planes[0].row(row).data() + col);
+    rows.scale.push_back(float(1.0 / stack.lights[k].strength[0]));
+  }
+}
+
 void TileSource::fill_channel(const Tile& tile, int channel, int row, int col,
                               std::vector<float>& values) const {
   values.resize(tile.grey.size());
