@@ -28,9 +28,9 @@ struct Workspace {
   GreyRows rows;
   std::vector<float> inside, tilt_squared, shading, channel;
 
-  Workspace(const TileSource& source, const NormalPlan& plan, int pixels)
+  Workspace(const TileSource& source, const NormalPlan& plan, int pixels, bool keep_weights)
       : tile(source.tile(pixels, plan.shared)),
-        solver(plan, tile),
+        solver(plan, tile, keep_weights),
         judgement(tile.lights, pixels),
         inside(std::size_t(tile.stride)) {
     for (const Light& light : source.stack.lights) {
@@ -139,7 +139,7 @@ std::vector<LightSums> solve_together(const TileSource& source, const NormalPlan
     }
   }
   if (pixels == 0) return {};
-  Workspace work(source, plan, pixels);
+  Workspace work(source, plan, pixels, true);
   for (const Run& run : runs) source.fill(work.tile, run.first, run.row, run.col, run.count);
   fit_robust_pca(work.tile);
   if (uncertainty) put_judgement(runs, work, maps);
@@ -183,7 +183,8 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
     return solve_together(source, plan, begin, end, uncertainty, maps);
   }
   const Mask& mask = source.stack.mask;
-  Workspace work(source, plan, std::min(tile_pixels, mask.cols()));
+  const bool keep_weights = uncertainty || source.stack.images.front().channels() > 1;
+  Workspace work(source, plan, std::min(tile_pixels, mask.cols()), keep_weights);
   // The plain method without sigmas looks at every sample once, and needs no tile of them.
   const bool direct =
       plan.estimator == Estimator::least_squares && source.reads_directly() && !uncertainty;

@@ -8,8 +8,6 @@
 namespace hada {
 namespace {
 
-constexpr float doubt = 3.0f;  // sigma; one of 370 normal errors lies beyond
-
 template <bool near>
 [[gnu::always_inline]] inline void fit(Tile& tile) {
   for (int first = 0; first < tile.pixels; first += lane_count) {
@@ -35,24 +33,6 @@ template <bool near>
     found.y += step.y;
     found.z += step.z;
     store(tile, first, found);
-  }
-}
-
-template <bool near>
-[[gnu::always_inline]] inline void look(const Tile& tile, std::uint8_t* doubtful) {
-  for (int first = 0; first < tile.pixels; first += lane_count) {
-    const Block<near> block{tile, first};
-    const auto pixel = std::size_t(first);
-    const Lanes3 found{load(&tile.x[pixel]), load(&tile.y[pixel]), load(&tile.z[pixel])};
-    Lanes most{};
-    Lanes least = all(1.0f);
-    for (int k = 0; k < tile.lights; ++k) {
-      const Lanes predicted = dot(block.to_light(k), found);
-      most = larger(most, magnitude(block.grey(k) - predicted));
-      least = smaller(least, smaller(predicted, block.trust(k)));
-    }
-    const LaneBits bad = (most > all(doubt) * least_sigma(tile, found)) | (least <= all(0.0f));
-    for (int i = 0; i < lane_count; ++i) doubtful[first + i] = bad[i] != 0;
   }
 }
 
@@ -140,16 +120,6 @@ constexpr int fetch_ahead = 256;
 [[gnu::target_clones("avx2", "default")]] void fit_pseudo_inverse(
     const GreyRows& rows, int count, const std::vector<float>& pseudo_inverse, Tile& tile) {
   multiply(rows, count, pseudo_inverse, tile);
-}
-
-[[gnu::target_clones("avx2", "default")]] void screen(const Tile& tile,
-                                                      std::vector<std::uint8_t>& doubtful) {
-  doubtful.resize(std::size_t(tile.stride));
-  if (tile.near) {
-    look<true>(tile, doubtful.data());
-  } else {
-    look<false>(tile, doubtful.data());
-  }
 }
 
 }  // namespace hada

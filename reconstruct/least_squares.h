@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "reconstruct/tile.h"
@@ -23,11 +22,5 @@ void fit_pseudo_inverse(Tile& tile, const std::vector<float>& pseudo_inverse);
 /// tile   of which nothing but x, y, z is touched
 void fit_pseudo_inverse(const GreyRows& rows, int count, const std::vector<float>& pseudo_inverse,
                         Tile& tile);
-
-/// 1 where least squares leaves a pixel a residual that its noise does not explain (over 2.5
-/// sigma), where a sample may not count, or where the normal looks away from a light; else 0.
-///
-/// found  tile.x, y, z, by least squares
-void screen(const Tile& tile, std::vector<std::uint8_t>& doubtful);
 
 }  // namespace hada
