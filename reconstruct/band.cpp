@@ -26,7 +26,7 @@ struct Workspace {
   TileSolver solver;
   Judgement judgement;
   GreyRows rows;
-  std::vector<float> inside, tilt_squared, shading, channel;
+  std::vector<float> inside, tilt_squared, shading, channel, product, squares;
 
   Workspace(const TileSource& source, const NormalPlan& plan, int pixels, bool keep_weights)
       : tile(source.tile(pixels, plan.shared)),
@@ -44,7 +44,10 @@ void channel_albedo(const TileSource& source, Workspace& work, const Run& run, i
                     Grid<float>& albedo) {
   const Tile& tile = work.tile;
   source.fill_channel(tile, channel, run.row, run.col, work.channel);
-  std::vector<float> product(std::size_t(run.count)), squares(std::size_t(run.count));
+  std::vector<float>& product = work.product;
+  std::vector<float>& squares = work.squares;
+  product.assign(std::size_t(run.count), 0.0f);
+  squares.assign(std::size_t(run.count), 0.0f);
   for (int k = 0; k < tile.lights; ++k) {
     const std::size_t begin = tile.at(k, run.first);
     const float* weight = &tile.weight[begin];
