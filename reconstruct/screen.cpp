@@ -29,7 +29,7 @@ template <bool near>
       least = smaller(least, predicted);
       if (!tile.trusts_all) least = smaller(least, block.trust(k));
     }
-    store_bytes(doubtful + first, ((most > most_squared(tile, found)) | (least <= all(0.0f))) & 1);
+    store_flags(doubtful + first, (most > most_squared(tile, found)) | (least <= all(0.0f)));
   }
 }
 
@@ -73,7 +73,7 @@ template <bool near>
       bad |= kept & ((r * r > limit) | (predicted <= all(0.0f)));
       store(&tile.weight[tile.at(k, first)], chosen(kept, all(1.0f), all(0.0f)));
     }
-    store_bytes(doubtful + first, bad & 1);
+    store_flags(doubtful + first, bad);
   }
 }
 

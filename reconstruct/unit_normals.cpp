@@ -30,14 +30,14 @@ constexpr float least_z = 0.02f;
 [[gnu::always_inline]] inline void split(const Lanes3& found, const NormalOutput& out) {
   const Lanes rho = root(dot(found, found));
   const LaneBits good = (found.z > all(least_z) * rho) & (rho < all(beyond_all));
-  const LaneBits valid = good & (load_bytes(out.mask) != 0);
+  const LaneBits valid = good & load_flags(out.mask);
   const Lanes scale = all(1.0f) / chosen(good, rho, all(1.0f));
   const Lanes none{};
   interleave({chosen(valid, found.x * scale, none), chosen(valid, found.y * scale, none),
               chosen(valid, found.z * scale, all(1.0f))},
              out.normals);
   store(out.rho, chosen(good, rho, none));
-  store_bytes(out.mask, valid & 1);
+  store_flags(out.mask, valid);
 }
 
 [[gnu::always_inline]] inline Lanes3 found_at(const Tile& tile, std::size_t pixel) {
