@@ -44,31 +44,40 @@ constexpr float least_z = 0.02f;
   return {load(&tile.x[pixel]), load(&tile.y[pixel]), load(&tile.z[pixel])};
 }
 
+// The last pixels of a row share their eight lanes with memory that is not theirs.
+[[gnu::always_inline]] inline void split_rest(const Tile& tile, std::size_t pixel, int count,
+                                              const NormalOutput& out) {
+  float found[3][lane_count] = {};
+  float normals[3 * lane_count], rho[lane_count];
+  std::uint8_t mask[lane_count] = {};
+  std::copy_n(&tile.x[pixel], count, found[0]);
+  std::copy_n(&tile.y[pixel], count, found[1]);
+  std::copy_n(&tile.z[pixel], count, found[2]);
+  std::copy_n(out.mask, count, mask);
+  split({load(found[0]), load(found[1]), load(found[2])}, {normals, rho, mask});
+  std::copy_n(normals, 3 * count, out.normals);
+  std::copy_n(rho, count, out.rho);
+  std::copy_n(mask, count, out.mask);
+}
+
+[[gnu::always_inline]] inline void put(const Tile& tile, int first, int count,
+                                       const NormalOutput& output) {
+  const auto from = [&](int i) {
+    return NormalOutput{output.normals + 3 * i, output.rho + i, output.mask + i};
+  };
+  int i = 0;
+  for (; i + lane_count <= count; i += lane_count) {
+    split(found_at(tile, std::size_t(first + i)), from(i));
+  }
+  if (i < count) split_rest(tile, std::size_t(first + i), count - i, from(i));
+}
+
 }  // namespace
 
 [[gnu::target_clones("avx2", "default")]] void put_unit_normals(const Tile& tile, int first,
                                                                 int count,
                                                                 const NormalOutput& output) {
-  const int whole = count / lane_count * lane_count;
-  for (int i = 0; i < whole; i += lane_count) {
-    split(found_at(tile, std::size_t(first + i)),
-          {output.normals + 3 * i, output.rho + i, output.mask + i});
-  }
-  if (whole == count) return;
-  // The last pixels share their eight lanes with memory that is not theirs.
-  const int rest = count - whole;
-  float found[3][lane_count] = {};
-  float normals[3 * lane_count], rho[lane_count];
-  std::uint8_t mask[lane_count] = {};
-  const auto pixel = std::size_t(first + whole);
-  std::copy_n(&tile.x[pixel], rest, found[0]);
-  std::copy_n(&tile.y[pixel], rest, found[1]);
-  std::copy_n(&tile.z[pixel], rest, found[2]);
-  std::copy_n(output.mask + whole, rest, mask);
-  split({load(found[0]), load(found[1]), load(found[2])}, {normals, rho, mask});
-  std::copy_n(normals, 3 * rest, output.normals + 3 * whole);
-  std::copy_n(rho, rest, output.rho + whole);
-  std::copy_n(mask, rest, output.mask + whole);
+  put(tile, first, count, output);
 }
 
 }  // namespace hada
