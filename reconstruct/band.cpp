@@ -5,13 +5,16 @@
 #include <cstddef>
 
 #include "reconstruct/judge.h"
+#include "reconstruct/least_squares.h"
 #include "reconstruct/robust_pca.h"
 #include "reconstruct/unit_normals.h"
 
 namespace hada {
 namespace {
 
-constexpr int tile_pixels = 512;  // with twelve lights a tile stays in the second cache
+// With twelve lights a tile stays in the second cache. Not a power of two: the samples of a pixel
+// would displace each other from the first one.
+constexpr int tile_pixels = 1032;
 
 // Pixels of one row that lie together in a tile.
 struct Run {
@@ -39,11 +42,12 @@ struct Workspace {
   TileSolver solver;
   Judgement judgement;
   LightDoubt doubt;
-  std::vector<float> inside, shading, channel;
+  GreyRows rows;
+  std::vector<float> inside, shading, channel, product, squares;
 
-  Workspace(const TileSource& source, const NormalPlan& plan, int pixels)
+  Workspace(const TileSource& source, const NormalPlan& plan, int pixels, bool keep_weights)
       : tile(source.tile(pixels, plan.shared)),
-        solver(plan, tile),
+        solver(plan, tile, keep_weights),
         judgement(tile.lights, pixels),
         doubt(doubt_of(source.stack)),
         inside(std::size_t(tile.stride)) {}
@@ -54,7 +58,10 @@ void channel_albedo(const TileSource& source, Workspace& work, const Run& run, i
                     Grid<float>& albedo) {
   const Tile& tile = work.tile;
   source.fill_channel(tile, channel, run.row, run.col, work.channel);
-  std::vector<float> product(std::size_t(run.count)), squares(std::size_t(run.count));
+  std::vector<float>& product = work.product;
+  std::vector<float>& squares = work.squares;
+  product.assign(std::size_t(run.count), 0.0f);
+  squares.assign(std::size_t(run.count), 0.0f);
   for (int k = 0; k < tile.lights; ++k) {
     const std::size_t begin = tile.at(k, run.first);
     const float* weight = &tile.weight[begin];
@@ -73,29 +80,19 @@ void channel_albedo(const TileSource& source, Workspace& work, const Run& run, i
 
 void put(const TileSource& source, const NormalPlan& plan, const std::vector<Run>& runs,
          Workspace& work, NormalMaps& maps) {
-  Tile& tile = work.tile;
+  const Tile& tile = work.tile;
   Orientation& found = maps.orientation;
   const bool coloured = found.albedo.channels() > 1;
   if (coloured) shading_of(tile, plan.terms, work.shading);
-  split_albedo(tile);
   for (const Run& run : runs) {
     const auto col = std::size_t(run.col);
-    Eigen::Vector3f* normals = &found.normals.row(run.row)[col];
-    std::uint8_t* mask = &found.mask.row(run.row)[col];
-    float* rho = &found.rho.row(run.row)[col];
-    const auto first = std::size_t(run.first);
-    for (std::size_t i = 0; i < std::size_t(run.count); ++i) {
-      const bool valid = mask[i] && tile.rho[first + i] > 0.0f;
-      mask[i] = valid;
-      rho[i] = tile.rho[first + i];
-      if (valid) {
-        normals[i] = {tile.x[first + i], tile.y[first + i], tile.z[first + i]};
-      }
-    }
-    if (coloured) {
-      for (int c = 0; c < found.albedo.channels(); ++c) {
-        channel_albedo(source, work, run, c, found.albedo.planes[std::size_t(c)]);
-      }
+    put_unit_normals(tile, run.first, run.count,
+                     {.normals = found.normals.row(run.row)[col].data(),
+                      .rho = &found.rho.row(run.row)[col],
+                      .mask = &found.mask.row(run.row)[col]});
+    if (!coloured) continue;
+    for (int c = 0; c < found.albedo.channels(); ++c) {
+      channel_albedo(source, work, run, c, found.albedo.planes[std::size_t(c)]);
     }
   }
 }
@@ -159,7 +156,7 @@ std::vector<LightSums> solve_together(const TileSource& source, const NormalPlan
     }
   }
   if (pixels == 0) return {};
-  Workspace work(source, plan, pixels);
+  Workspace work(source, plan, pixels, true);
   for (const Run& run : runs) source.fill(work.tile, run.first, run.row, run.col, run.count);
   fit_robust_pca(work.tile);
   if (uncertainty) put_judgement(runs, work, maps);
@@ -203,7 +200,11 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
     return solve_together(source, plan, begin, end, uncertainty, maps);
   }
   const Mask& mask = source.stack.mask;
-  Workspace work(source, plan, std::min(tile_pixels, mask.cols()));
+  const bool keep_weights = uncertainty || source.stack.images.front().channels() > 1;
+  Workspace work(source, plan, std::min(tile_pixels, mask.cols()), keep_weights);
+  // The plain method without sigmas looks at every sample once, and needs no tile of them.
+  const bool direct =
+      plan.estimator == Estimator::least_squares && source.reads_directly() && !uncertainty;
   std::vector<LightSums> sums;
   for (int row = begin; row < end; ++row) {
     for (int col = 0; col < mask.cols(); col += tile_pixels) {
@@ -211,8 +212,13 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
       if (!any_inside(mask, row, col, count)) continue;
       const std::vector<Run> runs{{0, row, col, count}};
       work.tile.pixels = count;
-      const bool all_trusted = source.fill(work.tile, 0, row, col, count);
-      work.solver.solve(work.tile, all_trusted);
+      if (direct && count >= lane_count) {
+        source.point_at_row(row, col, work.rows);
+        fit_pseudo_inverse(work.rows, count, plan.pseudo_inverse, work.tile);
+      } else {
+        const bool all_trusted = source.fill(work.tile, 0, row, col, count);
+        work.solver.solve(work.tile, all_trusted);
+      }
       if (uncertainty) put_judgement(runs, work, maps);
       put(source, plan, runs, work, maps);
     }

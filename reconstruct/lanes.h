@@ -16,6 +16,7 @@ namespace hada {
 
 using Lanes = float __attribute__((vector_size(32)));
 using LaneBits = std::int32_t __attribute__((vector_size(32)));  // all ones: yes
+using LaneBytes = std::uint8_t __attribute__((vector_size(32)));
 
 [[gnu::always_inline]] inline Lanes load(const float* from) {
   Lanes lanes;
@@ -27,8 +28,37 @@ using LaneBits = std::int32_t __attribute__((vector_size(32)));  // all ones: ye
   std::memcpy(to, &lanes, sizeof lanes);
 }
 
+/// Yes where a byte is not 0.
+///
+/// Each lane gets four bytes and looks at its own: GCC would widen bytes one by one.
+[[gnu::always_inline]] inline LaneBits load_flags(const std::uint8_t* from) {
+  std::int32_t parts[2];
+  std::memcpy(parts, from, sizeof parts);
+  LaneBits lanes{};
+  lanes[0] = parts[0];
+  lanes[1] = parts[1];
+  constexpr auto last = std::int32_t(0xff000000u);
+  const LaneBits own{0xff, 0xff00, 0xff0000, last, 0xff, 0xff00, 0xff0000, last};
+  return (__builtin_shufflevector(lanes, lanes, 0, 0, 0, 0, 1, 1, 1, 1) & own) != 0;
+}
+
+/// 1 for yes, 0 for no.
+[[gnu::always_inline]] inline void store_flags(std::uint8_t* to, const LaneBits& which) {
+  const LaneBits ones = which & 1;
+  LaneBytes bytes;
+  std::memcpy(&bytes, &ones, sizeof bytes);
+  const LaneBytes lowest =
+      __builtin_shufflevector(bytes, bytes, 0, 4, 8, 12, 16, 20, 24, 28, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                              0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  std::memcpy(to, &lowest, lane_count);
+}
+
+// A shuffle, which GCC makes one instruction of after inlining; a list of eight values it takes
+// apart before, when it does not know yet what the machine can do.
 [[gnu::always_inline]] inline Lanes all(float value) {
-  return Lanes{value, value, value, value, value, value, value, value};
+  Lanes lanes{};
+  lanes[0] = value;
+  return __builtin_shufflevector(lanes, lanes, 0, 0, 0, 0, 0, 0, 0, 0);
 }
 
 [[gnu::always_inline]] inline Lanes chosen(const LaneBits& which, const Lanes& yes,

@@ -1,13 +1,12 @@
 #include "reconstruct/least_squares.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
 namespace {
-
-constexpr float doubt = 3.0f;  // sigma; one of 370 normal errors lies beyond
 
 template <bool near>
 [[gnu::always_inline]] inline void fit(Tile& tile) {
@@ -37,38 +36,69 @@ template <bool near>
   }
 }
 
-template <bool near>
-[[gnu::always_inline]] inline void look(const Tile& tile, std::uint8_t* doubtful) {
+// As `Block` of distant lights, but where the samples lie in the pictures.
+struct PictureBlock {
+  const GreyRows& rows;
+  int first;
+
+  [[gnu::always_inline]] Lanes grey(int k) const {
+    const auto light = std::size_t(k);
+    return all(rows.scale[light]) * load(rows.values[light] + first);
+  }
+};
+
+struct Matrix {
+  const float* to_x;
+  const float* to_y;
+  const float* to_z;
+
+  Matrix(const std::vector<float>& rows, int lights)
+      : to_x(rows.data()), to_y(to_x + lights), to_z(to_y + lights) {}
+
+  template <class Source>
+  [[gnu::always_inline]] void add(const Source& block, int k, Lanes3& found) const {
+    const Lanes grey = block.grey(k);
+    found.x += all(to_x[k]) * grey;
+    found.y += all(to_y[k]) * grey;
+    found.z += all(to_z[k]) * grey;
+  }
+};
+
+[[gnu::always_inline]] inline void multiply(Tile& tile, const std::vector<float>& pseudo_inverse) {
+  const Matrix matrix(pseudo_inverse, tile.lights);
   for (int first = 0; first < tile.pixels; first += lane_count) {
-    const Block<near> block{tile, first};
-    const auto pixel = std::size_t(first);
-    const Lanes3 found{load(&tile.x[pixel]), load(&tile.y[pixel]), load(&tile.z[pixel])};
-    Lanes most{};
-    Lanes least = all(1.0f);
-    for (int k = 0; k < tile.lights; ++k) {
-      const Lanes predicted = dot(block.to_light(k), found);
-      most = larger(most, magnitude(block.grey(k) - predicted));
-      least = smaller(least, smaller(predicted, block.trust(k)));
-    }
-    const LaneBits bad = (most > all(doubt) * least_sigma(tile, found)) | (least <= all(0.0f));
-    for (int i = 0; i < lane_count; ++i) doubtful[first + i] = bad[i] != 0;
+    Lanes3 found{};
+    for (int k = 0; k < tile.lights; ++k) matrix.add(Block<false>{tile, first}, k, found);
+    store(tile, first, found);
   }
 }
 
-[[gnu::always_inline]] inline void multiply(Tile& tile, const std::vector<float>& pseudo_inverse) {
-  const float* to_x = pseudo_inverse.data();
-  const float* to_y = to_x + tile.lights;
-  const float* to_z = to_y + tile.lights;
-  for (int first = 0; first < tile.pixels; first += lane_count) {
-    const Block<false> block{tile, first};
-    Lanes3 found{};
+// Whole cache lines at once: planes often lie a multiple of 4096 bytes apart, so that a line is
+// soon displaced by those of the other lights. For the same reason, and for the ends of pages, the
+// processor does not fetch ahead well on its own.
+constexpr int line_pixels = 16;
+constexpr int fetch_ahead = 256;
+
+[[gnu::always_inline]] inline void multiply(const GreyRows& rows, int count,
+                                            const std::vector<float>& pseudo_inverse, Tile& tile) {
+  const Matrix matrix(pseudo_inverse, tile.lights);
+  int first = 0;
+  for (; first + line_pixels <= count; first += line_pixels) {
+    Lanes3 left{}, right{};
     for (int k = 0; k < tile.lights; ++k) {
-      const Lanes grey = block.grey(k);
-      found.x += all(to_x[k]) * grey;
-      found.y += all(to_y[k]) * grey;
-      found.z += all(to_z[k]) * grey;
+      __builtin_prefetch(rows.values[std::size_t(k)] + first + fetch_ahead, 0, 2);
+      matrix.add(PictureBlock{rows, first}, k, left);
+      matrix.add(PictureBlock{rows, first + lane_count}, k, right);
     }
+    store(tile, first, left);
+    store(tile, first + lane_count, right);
+  }
+  while (first < count) {
+    first = std::min(first, count - lane_count);  // the last eight may be solved twice
+    Lanes3 found{};
+    for (int k = 0; k < tile.lights; ++k) matrix.add(PictureBlock{rows, first}, k, found);
     store(tile, first, found);
+    first += lane_count;
   }
 }
 
@@ -87,14 +117,9 @@ template <bool near>
   multiply(tile, pseudo_inverse);
 }
 
-[[gnu::target_clones("avx2", "default")]] void screen(const Tile& tile,
-                                                      std::vector<std::uint8_t>& doubtful) {
-  doubtful.resize(std::size_t(tile.stride));
-  if (tile.near) {
-    look<true>(tile, doubtful.data());
-  } else {
-    look<false>(tile, doubtful.data());
-  }
+[[gnu::target_clones("avx2", "default")]] void fit_pseudo_inverse(
+    const GreyRows& rows, int count, const std::vector<float>& pseudo_inverse, Tile& tile) {
+  multiply(rows, count, pseudo_inverse, tile);
 }
 
 }  // namespace hada

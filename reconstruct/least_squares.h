@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "reconstruct/tile.h"
@@ -17,10 +16,11 @@ void fit_least_squares(Tile& tile);
 /// pseudo_inverse  of the directions: three rows of `tile.lights` values
 void fit_pseudo_inverse(Tile& tile, const std::vector<float>& pseudo_inverse);
 
-/// 1 where least squares leaves a pixel a residual that its noise does not explain (over 2.5
-/// sigma), where a sample may not count, or where the normal looks away from a light; else 0.
+/// The same bytes straight from the pictures, for those who need no more of the samples than this.
 ///
-/// found  tile.x, y, z, by least squares
-void screen(const Tile& tile, std::vector<std::uint8_t>& doubtful);
+/// count  pixels, at least `lane_count`
+/// tile   of which nothing but x, y, z is touched
+void fit_pseudo_inverse(const GreyRows& rows, int count, const std::vector<float>& pseudo_inverse,
+                        Tile& tile);
 
 }  // namespace hada

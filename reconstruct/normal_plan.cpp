@@ -39,16 +39,17 @@ std::vector<float> pseudo_inverse(const Tile& tile) {
 }
 
 Tile pilot(const TileSource& source) {
-  std::vector<std::pair<int, int>> inside;
   const Mask& mask = source.stack.mask;
+  const auto inside =
+      std::size_t(std::count_if(mask.begin(), mask.end(), [](auto m) { return m; }));
+  const std::size_t step = std::max<std::size_t>(1, inside / pilot_pixels) | 1;
+  std::vector<std::pair<int, int>> chosen_pixels;
+  std::size_t passed = 0;
   for (int row = 0; row < mask.rows(); ++row) {
     for (int col = 0; col < mask.cols(); ++col) {
-      if (mask(row, col)) inside.emplace_back(row, col);
+      if (mask(row, col) && passed++ % step == step / 2) chosen_pixels.emplace_back(row, col);
     }
   }
-  const std::size_t step = std::max<std::size_t>(1, inside.size() / pilot_pixels) | 1;
-  std::vector<std::pair<int, int>> chosen_pixels;
-  for (std::size_t i = step / 2; i < inside.size(); i += step) chosen_pixels.push_back(inside[i]);
   Tile tile = source.tile(int(chosen_pixels.size()), true);
   for (int i = 0; i < tile.pixels; ++i) {
     const auto [row, col] = chosen_pixels[std::size_t(i)];

@@ -15,7 +15,7 @@ Tile::Tile(int light_count, int most_pixels, bool near_lights)
   for (auto* values : {&grey, &trust, &weight}) values->assign(samples, 0.0f);
   if (near) closeness.assign(samples, 1.0f);
   for (auto* values : {&x_to, &y_to, &z_to}) values->assign(directions, 0.0f);
-  for (auto* values : {&x, &y, &z, &rho}) values->assign(std::size_t(stride), 0.0f);
+  for (auto* values : {&x, &y, &z}) values->assign(std::size_t(stride), 0.0f);
   scratch.assign(2 * std::size_t(lights) * lane_count, 0.0f);
 }
 

@@ -34,7 +34,6 @@ struct Tile {
   NoiseLaw noise;
 
   std::vector<float> x, y, z;                // [i]: albedo times normal, found; 0 where unsolvable
-  std::vector<float> rho;                    // [i]: the albedo, once it was split off
   std::vector<float> weight;                 // how much each sample counted in the end, 0 to 1
   std::vector<float> scratch;                // 2 * lights vectors
   std::vector<std::pair<int, int>> network;  // comparisons that sort `lights` values
@@ -44,6 +43,13 @@ struct Tile {
   std::size_t at(int light, int pixel) const {
     return std::size_t(light) * std::size_t(stride) + std::size_t(pixel);
   }
+};
+
+/// Pixels of one row in all pictures, where they lie: the grey value of light k at pixel i is
+/// scale[k] * values[k][i].
+struct GreyRows {
+  std::vector<const float*> values;
+  std::vector<float> scale;
 };
 
 /// Compare-and-swap steps that sort any `count` values (K. E. Batcher, Sorting networks and their

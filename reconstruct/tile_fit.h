@@ -25,6 +25,10 @@ struct Block {
 
   [[gnu::always_inline]] Lanes grey(int k) const { return load(&tile.grey[tile.at(k, first)]); }
   [[gnu::always_inline]] Lanes trust(int k) const { return load(&tile.trust[tile.at(k, first)]); }
+  [[gnu::always_inline]] Lanes3 found() const {
+    const auto i = std::size_t(first);
+    return {load(&tile.x[i]), load(&tile.y[i]), load(&tile.z[i])};
+  }
   [[gnu::always_inline]] Lanes3 to_light(int k) const {
     if constexpr (near) {
       const std::size_t i = tile.at(k, first);
@@ -97,9 +101,8 @@ struct Inverse {
   for (const auto& [low, high] : tile.network) {
     const Lanes a = load(values + low * lane_count);
     const Lanes b = load(values + high * lane_count);
-    const LaneBits swap = a > b;
-    store(values + low * lane_count, chosen(swap, b, a));
-    store(values + high * lane_count, chosen(swap, a, b));
+    store(values + low * lane_count, smaller(a, b));
+    store(values + high * lane_count, larger(a, b));
   }
 }
 
@@ -144,10 +147,14 @@ template <bool near>
 
 /// No sample is believed to be better than this: its noise, and a five-hundredth of the albedo, for
 /// no surface is Lambertian beyond that.
-[[gnu::always_inline]] inline Lanes least_sigma(const Tile& tile, const Lanes3& found) {
+[[gnu::always_inline]] inline Lanes least_variance(const Tile& tile, const Lanes3& found) {
   const Lanes squares = dot(found, found);
-  return root(all(tile.noise.constant) + all(tile.noise.shot) * root(squares) +
-              all(0.002f * 0.002f) * squares + all(1e-12f));
+  return all(tile.noise.constant) + all(tile.noise.shot) * root(squares) +
+         all(0.002f * 0.002f) * squares + all(1e-12f);
+}
+
+[[gnu::always_inline]] inline Lanes least_sigma(const Tile& tile, const Lanes3& found) {
+  return root(least_variance(tile, found));
 }
 
 template <bool near>

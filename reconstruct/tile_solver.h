@@ -21,21 +21,27 @@ struct NormalPlan {
 /// Solves tiles, one after another, with room of its own: one for each thread.
 class TileSolver {
  public:
-  TileSolver(const NormalPlan& plan, const Tile& like);
+  /// keep_weights  whether tile.weight, and what of tile.grey goes with it, is wanted
+  TileSolver(const NormalPlan& plan, const Tile& like, bool keep_weights);
 
-  /// Finds tile.x, y, z and tile.weight as the estimator of the plan says; all but `robust_pca`,
-  /// which looks at all pixels at once.
+  /// Finds tile.x, y, z, and tile.weight if kept, as the estimator of the plan says; all but
+  /// `robust_pca`, which looks at all pixels at once.
   ///
   /// all_trusted  whether every sample of the tile may count
   void solve(Tile& tile, bool all_trusted);
 
  private:
   void solve_robust(Tile& tile, bool all_trusted);
+  void plain(Tile& tile, bool all_trusted);
+  void gather(const Tile& tile, bool all_trusted);
+  void scatter_to(Tile& tile) const;
 
   const NormalPlan& plan_;
+  const bool keep_weights_;
   Tile doubtful_;  // the pixels that least squares does not explain, close together
   std::vector<std::uint8_t> flags_;
-  std::vector<int> places_;
+  std::vector<int> places_;  // of the doubtful pixels
+  std::vector<int> still_;
 };
 
 /// How often the shared terms are taken off anew once the normals have moved.

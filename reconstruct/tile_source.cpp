@@ -27,6 +27,13 @@ Arrival arrival(const Light& light, const Eigen::Vector3d& point) {
   return {arrives / falloff, falloff};
 }
 
+// The samples after these are those of the next tile: their memory answers while this one is
+// solved.
+void fetch_next(const float* values, int count) {
+  constexpr int line_pixels = 16;
+  for (int i = 0; i < count; i += line_pixels) __builtin_prefetch(values + count + i, 0, 2);
+}
+
 bool all_lit(std::span<const Sample> samples) {
   std::uint8_t found = 0;
   for (const Sample sample : samples) found |= std::uint8_t(sample);
@@ -75,6 +82,7 @@ bool TileSource::fill(Tile& tile, int first, int row, int col, int count) const 
       const float weight = image.channels() == 1 ? 1.0f : channel_weight[channel];
       const float scale = float(double(weight) / stack.lights[light].strength[channel]);
       const float* values = image.planes[std::size_t(channel)].row(row).data() + col;
+      fetch_next(values, count);
       if (channel == 0) {
         for (int i = 0; i < count; ++i) grey[i] = scale * values[i];
       } else {
@@ -117,6 +125,19 @@ bool TileSource::fill(Tile& tile, int first, int row, int col, int count) const 
   }
   if (all_trusted && count == tile.stride) tile.trusts_all = true;
   return all_trusted;
+}
+
+bool TileSource::reads_directly() const {
+  return stack.images.front().channels() == 1 && !near();
+}
+
+void TileSource::point_at_row(int row, int col, GreyRows& rows) const {
+  rows.values.clear();
+  rows.scale.clear();
+  for (std::size_t k = 0; k < stack.images.size(); ++k) {
+    rows.values.push_back(stack.images[k].planes[0].row(row).data() + col);
+    rows.scale.push_back(float(1.0 / stack.lights[k].strength[0]));
+  }
 }
 
 void TileSource::fill_channel(const Tile& tile, int channel, int row, int col,

@@ -28,6 +28,12 @@ struct TileSource {
   /// returns  whether every one of these samples may count
   bool fill(Tile& tile, int first, int row, int col, int count) const;
 
+  /// Whether grey values can be read off the pictures: one channel, distant lights.
+  bool reads_directly() const;
+
+  /// The pixels of a row from `col` on, for sources that can be read directly.
+  void point_at_row(int row, int col, GreyRows& rows) const;
+
   /// One channel of the pixels that `fill` put at 0, strength and fall-off divided out, in the
   /// order of tile.grey.
   void fill_channel(const Tile& tile, int channel, int row, int col,
