@@ -21,15 +21,17 @@ struct SphereReading {
 struct Calibration {
   std::vector<Light> lights;            // one for each picture
   std::vector<SphereReading> readings;  // one for each sphere
-  double disagreement = 0.0;            // mean angle between the spheres' directions, radians
-  bool linear = true;                   // how the pictures were read
-  bool encoding_known = true;           // false: `linear` is an assumption; see settle_encoding
-  bool strengths_measured = true;       // false: all 1; see balance_strengths
-  std::vector<LightErrorMode> errors;   // how the lights may be wrong together
-  std::vector<std::string> remarks;     // plain sentences
+  double disagreement = 0.0;       // mean angle between what two spheres say, radians, beyond what
+                                   // their places explain
+  bool linear = true;              // how the pictures were read
+  bool encoding_known = true;      // false: `linear` is an assumption; see settle_encoding
+  bool strengths_measured = true;  // false: all 1; see balance_strengths
+  std::vector<LightErrorMode> errors;  // how the lights may be wrong together
+  std::vector<std::string> remarks;    // plain sentences
 };
 
-/// Finds the spheres, reads the lights off each, and combines them by their sigma.
+/// Finds the spheres, reads the lights off each, and lets a joint fit agree them with each other
+/// and with the sample (`refine_lights.h`).
 ///
 /// Matte: I = b . max(0, n.l) + ambient over the whole lit disc, terminator included. Chrome:
 /// l = 2 (n.v) n - v at the area-weighted middle of the highlight. Where the encoding of the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "capture/sphere_geometry.h"
 #include "core/light_stack.h"

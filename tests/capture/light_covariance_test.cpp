@@ -1,5 +1,6 @@
 #include "capture/light_covariance.h"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "made_evidence.h"
