@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -336,26 +337,61 @@ std::string program() {
 
 }  // namespace
 
+namespace {
+
+// What stands in a page under the titles of `fresh`, so that it can be replaced; else "".
+std::string section_of(const std::string& page, const std::string& title_line) {
+  const auto begin = page.find("\n" + title_line + "\n");
+  if (begin == std::string::npos) return "";
+  const auto end = page.find("\n## ", begin + 1);
+  return page.substr(begin, end == std::string::npos ? std::string::npos : end - begin);
+}
+
+// The page with every section of `fresh` in the place of the one with its title, or at the end.
+std::string with_sections(std::string page, const std::string& fresh) {
+  for (auto at = fresh.find("\n## "); at != std::string::npos; at = fresh.find("\n## ", at + 1)) {
+    const std::string title = fresh.substr(at + 1, fresh.find('\n', at + 1) - at - 1);
+    const std::string next = section_of(fresh, title);
+    const std::string last = section_of(page, title);
+    if (last.empty()) {
+      page += next;
+    } else {
+      page.replace(page.find(last), last.size(), next);
+    }
+  }
+  return page;
+}
+
+std::string text_of(const char* path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+// hada_results FILE.md [part ...]: measures all parts, or those named, and keeps the others as they
+// stand in the file.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: hada_results FILE.md\n");
+  // The program itself first, while this process is small: a child's memory counts its parent's.
+  const std::vector<std::pair<std::string, std::string (*)()>> parts{
+      {"program", program},          {"real", real_photographs},    {"rendered", rendered_captures},
+      {"lights", light_intervals},   {"normals", estimators},       {"virtual", virtual_captures},
+      {"depth", depth_from_normals}, {"height", integration_speed}, {"wrinkle", wrinkle_fits}};
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");
+    for (const auto& [name, measure] : parts) std::fprintf(stderr, " %s", name.c_str());
+    std::fprintf(stderr, "\n");
     return 2;
   }
+  const std::vector<std::string> asked(argv + 2, argv + argc);
   std::string page =
       "# Results\n\nWritten by `cmake --build build --target results`; do not edit. Times are of "
-      "the "
-      "machine it ran on, errors are not.\n";
-  // First, while this process is small: a child's memory is counted from its parent's.
-  const std::string of_program = program();
-  page += real_photographs();
-  page += rendered_captures();
-  page += light_intervals();
-  page += estimators();
-  page += virtual_captures();
-  page += depth_from_normals();
-  page += integration_speed();
-  page += wrinkle_fits();
-  page += of_program;
-  std::ofstream(argv[1]) << page;
+      "the machine it ran on, errors are not.\n";
+  if (!asked.empty()) page = text_of(argv[1]);
+  for (const auto& [name, measure] : parts) {
+    if (!asked.empty() && std::find(asked.begin(), asked.end(), name) == asked.end()) continue;
+    page = with_sections(std::move(page), measure());
+    std::ofstream(argv[1]) << page;  // what is measured is kept
+  }
   return 0;
 }
