@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -124,9 +125,8 @@ Judgement::Judgement(int lights, int most_pixels)
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void judge(const Tile& tile, const LightDoubt& doubt,
-                                                     const std::vector<float>& inside,
-                                                     Judgement& judgement) {
+HADA_CLONES_AVX2 void judge(const Tile& tile, const LightDoubt& doubt,
+                            const std::vector<float>& inside, Judgement& judgement) {
   if (tile.near) {
     weigh<true>(tile, doubt, inside.data(), judgement);
   } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -104,7 +105,7 @@ constexpr int fetch_ahead = 256;
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void fit_least_squares(Tile& tile) {
+HADA_CLONES_AVX2 void fit_least_squares(Tile& tile) {
   if (tile.near) {
     fit<true>(tile);
   } else {
@@ -112,13 +113,12 @@ constexpr int fetch_ahead = 256;
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void fit_pseudo_inverse(
-    Tile& tile, const std::vector<float>& pseudo_inverse) {
+HADA_CLONES_AVX2 void fit_pseudo_inverse(Tile& tile, const std::vector<float>& pseudo_inverse) {
   multiply(tile, pseudo_inverse);
 }
 
-[[gnu::target_clones("avx2", "default")]] void fit_pseudo_inverse(
-    const GreyRows& rows, int count, const std::vector<float>& pseudo_inverse, Tile& tile) {
+HADA_CLONES_AVX2 void fit_pseudo_inverse(const GreyRows& rows, int count,
+                                         const std::vector<float>& pseudo_inverse, Tile& tile) {
   multiply(rows, count, pseudo_inverse, tile);
 }
 

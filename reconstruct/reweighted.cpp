@@ -1,5 +1,6 @@
 #include "reconstruct/reweighted.h"
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -56,7 +57,7 @@ template <bool near>
                                                 float* scratch) {
   sorted_greys(block, scratch);
   const LaneBits low = count / 5;
-  const LaneBits high = count - 1 - low;
+  const LaneBits high = count > 0 ? count - 1 - low : count;
   return fit_between(block, at_rank(scratch, low), at_rank(scratch, high));
 }
 
@@ -132,23 +133,23 @@ template <class Rule>
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void fit_huber(Tile& tile) {
+HADA_CLONES_AVX2 void fit_huber(Tile& tile) {
   reweigh<Huber>(tile);
 }
 
-[[gnu::target_clones("avx2", "default")]] void fit_cauchy(Tile& tile) {
+HADA_CLONES_AVX2 void fit_cauchy(Tile& tile) {
   reweigh<Cauchy>(tile);
 }
 
-[[gnu::target_clones("avx2", "default")]] void fit_l1(Tile& tile) {
+HADA_CLONES_AVX2 void fit_l1(Tile& tile) {
   reweigh<LeastAbsolute>(tile);
 }
 
-[[gnu::target_clones("avx2", "default")]] void fit_biweight(Tile& tile) {
+HADA_CLONES_AVX2 void fit_biweight(Tile& tile) {
   reweigh<Biweight>(tile);
 }
 
-[[gnu::target_clones("avx2", "default")]] void refit_biweight(Tile& tile) {
+HADA_CLONES_AVX2 void refit_biweight(Tile& tile) {
   reweigh<BiweightAgain>(tile, true);
 }
 

@@ -1,5 +1,7 @@
 #include "reconstruct/row_kernels.h"
 
+#include "reconstruct/clones.h"
+
 namespace hada::row_kernels {
 namespace {
 
@@ -22,21 +24,16 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
 
 }  // namespace
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void relax(int n, float* __restrict x,
-                                                                const Around& value,
-                                                                const float* right,
-                                                                const std::uint8_t* code) {
+HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const float* right,
+                              const std::uint8_t* code) {
   const auto [up, down, left, beyond] = value;
   for (int i = 0; i < n; ++i) {
     x[i] = (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * inverse_of(code[i]);
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void relax(int n, float* __restrict x,
-                                                                const Around& value,
-                                                                const Around& weight,
-                                                                const float* right,
-                                                                const float* inverse) {
+HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
+                              const float* right, const float* inverse) {
   const auto [up, down, left, beyond] = value;
   const auto [wu, wd, wl, wr] = weight;
   for (int i = 0; i < n; ++i) {
@@ -45,23 +42,18 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void relax_from_zero(
-    int n, float* __restrict x, const float* right, const std::uint8_t* code) {
+HADA_CLONES_AVX512 void relax_from_zero(int n, float* __restrict x, const float* right,
+                                        const std::uint8_t* code) {
   for (int i = 0; i < n; ++i) x[i] = right[i] * inverse_of(code[i]);
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void relax_from_zero(int n,
-                                                                          float* __restrict x,
-                                                                          const float* right,
-                                                                          const float* inverse) {
+HADA_CLONES_AVX512 void relax_from_zero(int n, float* __restrict x, const float* right,
+                                        const float* inverse) {
   for (int i = 0; i < n; ++i) x[i] = right[i] * inverse[i];
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void residual(int n, float* __restrict out,
-                                                                   const float* x,
-                                                                   const Around& value,
-                                                                   const float* right,
-                                                                   const std::uint8_t* code) {
+HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, const Around& value,
+                                 const float* right, const std::uint8_t* code) {
   const auto [up, down, left, beyond] = value;
   for (int i = 0; i < n; ++i) {
     const float sum = (up[i] + down[i]) + (left[i] + beyond[i]);
@@ -71,9 +63,8 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void residual(
-    int n, float* __restrict out, const float* x, const Around& value, const Around& weight,
-    const float* right, const float* inverse) {
+HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, const Around& value,
+                                 const Around& weight, const float* right, const float* inverse) {
   const auto [up, down, left, beyond] = value;
   const auto [wu, wd, wl, wr] = weight;
   for (int i = 0; i < n; ++i) {
@@ -84,9 +75,9 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void subtract_image(
-    int n, float* __restrict rest, const float* x, const Around& value, const std::uint8_t* code,
-    const AroundCodes& around) {
+HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
+                                       const Around& value, const std::uint8_t* code,
+                                       const AroundCodes& around) {
   const auto [up, down, left, beyond] = value;
   const auto [cu, cd, cl, cr] = around;
   for (int i = 0; i < n; ++i) {
@@ -99,8 +90,8 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void subtract_image(
-    int n, float* __restrict rest, const float* x, const Around& value, const Around& weight) {
+HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
+                                       const Around& value, const Around& weight) {
   const auto [up, down, left, beyond] = value;
   const auto [wu, wd, wl, wr] = weight;
   for (int i = 0; i < n; ++i) {
@@ -110,30 +101,25 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void add_four(int n, float* __restrict sum,
-                                                                   const float* a, const float* b,
-                                                                   const float* c, const float* d) {
+HADA_CLONES_AVX512 void add_four(int n, float* __restrict sum, const float* a, const float* b,
+                                 const float* c, const float* d) {
   for (int i = 0; i < n; ++i) sum[i] = (a[i] + b[i]) + (c[i] + d[i]);
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void add(int n, const float* x,
-                                                              float* __restrict total) {
+HADA_CLONES_AVX512 void add(int n, const float* x, float* __restrict total) {
   for (int i = 0; i < n; ++i) total[i] += x[i];
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void deal(int n, const float* row,
-                                                               float* __restrict even,
-                                                               float* __restrict odd) {
+HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,
+                             float* __restrict odd) {
   for (int i = 0; i < n; ++i) {
     even[i] = row[2 * i];
     odd[i] = row[2 * i + 1];
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void add_carried(int n, float* __restrict x,
-                                                                      const Corner& even,
-                                                                      const Corner& odd,
-                                                                      const std::uint8_t* alive) {
+HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& even,
+                                    const Corner& odd, const std::uint8_t* alive) {
   float carry[2 * chunk];
   for (int first = 0; first < n; first += chunk) {
     const int count = n - first < chunk ? n - first : chunk;
@@ -147,10 +133,8 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void add_carried(int n, float* __restrict x,
-                                                                      const Corner& even,
-                                                                      const Corner& odd,
-                                                                      const float* alive) {
+HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& even,
+                                    const Corner& odd, const float* alive) {
   float carry[2 * chunk];
   for (int first = 0; first < n; first += chunk) {
     const int count = n - first < chunk ? n - first : chunk;
@@ -164,9 +148,9 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void join(
-    int n, const UnitRows& codes, float* __restrict inside_across, float* __restrict inside_along,
-    float* __restrict cross_across, float* __restrict cross_along, float* __restrict split) {
+HADA_CLONES_AVX512 void join(int n, const UnitRows& codes, float* __restrict inside_across,
+                             float* __restrict inside_along, float* __restrict cross_across,
+                             float* __restrict cross_along, float* __restrict split) {
   const auto [a0, b0, a1, b1, a2, b2] = codes;
   for (int j = 0; j < n; ++j) {
     const int p = a0[j] != 0, q = b0[j] != 0, r = a1[j] != 0, s = b1[j] != 0;
@@ -181,10 +165,10 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void join(
-    int n, const WeightedRows& rows, float least, float* __restrict inside_across,
-    float* __restrict inside_along, float* __restrict cross_across, float* __restrict cross_along,
-    float* __restrict split) {
+HADA_CLONES_AVX512 void join(int n, const WeightedRows& rows, float least,
+                             float* __restrict inside_across, float* __restrict inside_along,
+                             float* __restrict cross_across, float* __restrict cross_along,
+                             float* __restrict split) {
   const auto [ab0, ba0, ab1, ba1, a01, b01, a12, b12, a0, b0, a1, b1] = rows;
   const auto smaller = [](float a, float b) { return a < b ? a : b; };
   for (int j = 0; j < n; ++j) {
@@ -202,20 +186,18 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void in_series(int n, float* __restrict cross,
-                                                                    const float* reach,
-                                                                    const float* reach_beyond) {
+HADA_CLONES_AVX512 void in_series(int n, float* __restrict cross, const float* reach,
+                                  const float* reach_beyond) {
   for (int i = 0; i < n; ++i) {
     cross[i] = cross[i] / (1.0f + cross[i] * (reach[i] + reach_beyond[i]));
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void to_reach(int n, float* __restrict reach) {
+HADA_CLONES_AVX512 void to_reach(int n, float* __restrict reach) {
   for (int i = 0; i < n; ++i) reach[i] = reach[i] > 0.0f ? 0.5f / reach[i] : 0.0f;
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void invert(int n, float* __restrict inverse,
-                                                                 const Around& weight) {
+HADA_CLONES_AVX512 void invert(int n, float* __restrict inverse, const Around& weight) {
   const auto [wu, wd, wl, wr] = weight;
   for (int i = 0; i < n; ++i) {
     const float sum = (wu[i] + wd[i]) + (wl[i] + wr[i]);
@@ -223,16 +205,14 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void gather(int n, const float* even,
-                                                                 const float* odd,
-                                                                 float* __restrict row) {
+HADA_CLONES_AVX512 void gather(int n, const float* even, const float* odd, float* __restrict row) {
   for (int i = 0; i < n; ++i) {
     row[2 * i] = even[i];
     row[2 * i + 1] = odd[i];
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] float largest(int n, const float* x) {
+HADA_CLONES_AVX512 float largest(int n, const float* x) {
   float most = 0.0f;
   for (int i = 0; i < n; ++i) {
     const float size = x[i] < 0.0f ? -x[i] : x[i];
@@ -241,44 +221,37 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   return most;
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void round_to(int n, float magic,
-                                                                   float* __restrict x) {
+HADA_CLONES_AVX512 void round_to(int n, float magic, float* __restrict x) {
   for (int i = 0; i < n; ++i) x[i] = (x[i] + magic) - magic;
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void rise_across(int n, const float* slopes,
-                                                                      const std::uint8_t* mask,
-                                                                      float magic,
-                                                                      float* __restrict rise) {
+HADA_CLONES_AVX512 void rise_across(int n, const float* slopes, const std::uint8_t* mask,
+                                    float magic, float* __restrict rise) {
   for (int i = 0; i < n; ++i) {
     const float mean = (0.5f * (slopes[2 * i] + slopes[2 * i + 2]) + magic) - magic;
     rise[i] = mask[i] && mask[i + 1] ? mean : 0.0f;
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void rise_down(
-    int n, const float* slopes, const float* slopes_below, const std::uint8_t* mask,
-    const std::uint8_t* mask_below, float magic, float* __restrict rise) {
+HADA_CLONES_AVX512 void rise_down(int n, const float* slopes, const float* slopes_below,
+                                  const std::uint8_t* mask, const std::uint8_t* mask_below,
+                                  float magic, float* __restrict rise) {
   for (int i = 0; i < n; ++i) {
     const float mean = (-0.5f * (slopes[2 * i + 1] + slopes_below[2 * i + 1]) + magic) - magic;
     rise[i] = mask[i] && mask_below[i] ? mean : 0.0f;
   }
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void balance(int n, const float* across,
-                                                                  const float* above,
-                                                                  const float* below,
-                                                                  float* __restrict out) {
+HADA_CLONES_AVX512 void balance(int n, const float* across, const float* above, const float* below,
+                                float* __restrict out) {
   for (int i = 0; i < n; ++i) out[i] = (across[i - 1] - across[i]) + (above[i] - below[i]);
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] void add_times(int n, float factor,
-                                                                    const float* x,
-                                                                    float* __restrict total) {
+HADA_CLONES_AVX512 void add_times(int n, float factor, const float* x, float* __restrict total) {
   for (int i = 0; i < n; ++i) total[i] += factor * x[i];
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] double sum(int n, const float* x) {
+HADA_CLONES_AVX512 double sum(int n, const float* x) {
   // Lanes whose order of adding does not depend on the width of the vectors.
   constexpr int lanes = 8;
   double part[lanes] = {};
@@ -290,8 +263,7 @@ constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
   return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
 }
 
-[[gnu::target_clones("avx512f", "avx2", "default")]] double dot(int n, const float* x,
-                                                                const float* y) {
+HADA_CLONES_AVX512 double dot(int n, const float* x, const float* y) {
   constexpr int lanes = 8;
   double part[lanes] = {};
   int i = 0;

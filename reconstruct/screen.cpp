@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -79,8 +80,7 @@ template <bool near>
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void screen(const Tile& tile,
-                                                      std::vector<std::uint8_t>& doubtful) {
+HADA_CLONES_AVX2 void screen(const Tile& tile, std::vector<std::uint8_t>& doubtful) {
   doubtful.resize(std::size_t(tile.stride));
   if (tile.near) {
     look<true>(tile, doubtful.data());
@@ -89,9 +89,8 @@ template <bool near>
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void drop_worst(Tile& tile,
-                                                          const std::vector<float>& pseudo_inverse,
-                                                          std::vector<std::uint8_t>& doubtful) {
+HADA_CLONES_AVX2 void drop_worst(Tile& tile, const std::vector<float>& pseudo_inverse,
+                                 std::vector<std::uint8_t>& doubtful) {
   doubtful.resize(std::size_t(tile.stride));
   drop(tile, pseudo_inverse.data(), doubtful.data());
 }

@@ -1,5 +1,6 @@
 #include "reconstruct/shared_terms.h"
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -76,7 +77,7 @@ template <bool near>
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void take_off(Tile& tile, const SharedTerms& terms) {
+HADA_CLONES_AVX2 void take_off(Tile& tile, const SharedTerms& terms) {
   if (tile.near) {
     take<true>(tile, terms);
   } else {
@@ -84,9 +85,8 @@ template <bool near>
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void shading_of(const Tile& tile,
-                                                          const SharedTerms& terms,
-                                                          std::vector<float>& shading) {
+HADA_CLONES_AVX2 void shading_of(const Tile& tile, const SharedTerms& terms,
+                                 std::vector<float>& shading) {
   shading.resize(tile.grey.size());
   if (tile.near) {
     show<true>(tile, terms, shading.data());

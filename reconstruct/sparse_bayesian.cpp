@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -48,7 +49,7 @@ template <bool near>
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void fit_sparse_bayesian(Tile& tile) {
+HADA_CLONES_AVX2 void fit_sparse_bayesian(Tile& tile) {
   if (tile.near) {
     learn<true>(tile);
   } else {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -44,7 +45,7 @@ template <bool near>
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void fit_trimmed(Tile& tile, const RankWindow& window) {
+HADA_CLONES_AVX2 void fit_trimmed(Tile& tile, const RankWindow& window) {
   if (tile.near) {
     trim<true>(tile, window);
   } else {

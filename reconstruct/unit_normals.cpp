@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "reconstruct/clones.h"
 #include "reconstruct/tile_fit.h"
 
 namespace hada {
@@ -74,9 +75,8 @@ constexpr float least_z = 0.02f;
 
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] void put_unit_normals(const Tile& tile, int first,
-                                                                int count,
-                                                                const NormalOutput& output) {
+HADA_CLONES_AVX2 void put_unit_normals(const Tile& tile, int first, int count,
+                                       const NormalOutput& output) {
   put(tile, first, count, output);
 }
 
