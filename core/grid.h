@@ -66,11 +66,12 @@ class Grid {
 /// 1 where a pixel counts, 0 where it has no meaning and must not be read.
 using Mask = Grid<std::uint8_t>;
 
-/// The pixels of `grid` in the half-open rectangle of `rows` x `cols` pixels at (row, col).
+/// The pixels of `grid` in the half-open rectangle of `rows` x `cols` pixels at (row, col);
+/// none of an empty grid, which says that a surface has no such map.
 template <class T>
 Grid<T> crop(const Grid<T>& grid, int row, int col, int rows, int cols) {
-  assert(row >= 0 && col >= 0 && row + rows <= grid.rows() && col + cols <= grid.cols());
   if (grid.empty()) return grid;
+  assert(row >= 0 && col >= 0 && row + rows <= grid.rows() && col + cols <= grid.cols());
   Grid<T> part(rows, cols, grid[0]);  // any value: a vector of Eigen has no default one
   for (int r = 0; r < rows; ++r) {
     const auto source = grid.row(row + r).subspan(std::size_t(col), std::size_t(cols));
