@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "reconstruct/tile.h"
@@ -33,34 +34,10 @@ inline Tile matte_tile(const std::vector<Light>& lights, int pixels) {
 }
 
 /// What least squares in double precision finds from the samples that `counts(light)` names.
-template <class Counts>
-Eigen::Vector3d reference_fit(const Tile& tile, int pixel, const Counts& counts) {
-  Eigen::MatrixX3d directions = Eigen::MatrixX3d::Zero(tile.lights, 3);
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(tile.lights);
-  for (int k = 0; k < tile.lights; ++k) {
-    if (!counts(k)) continue;
-    const auto i = std::size_t(k);
-    directions.row(k) << tile.x_to[i], tile.y_to[i], tile.z_to[i];
-    values[k] = tile.grey[tile.at(k, pixel)];
-  }
-  return directions.colPivHouseholderQr().solve(values);
-}
+Eigen::Vector3d reference_fit(const Tile& tile, int pixel, const std::function<bool(int)>& counts);
 
 /// (N^T N)^-1 N^T of the directions of the tile: three rows.
-inline std::vector<float> pseudo_inverse_of(const Tile& tile) {
-  Eigen::MatrixX3d directions(tile.lights, 3);
-  for (int k = 0; k < tile.lights; ++k) {
-    const auto i = std::size_t(k);
-    directions.row(k) << tile.x_to[i], tile.y_to[i], tile.z_to[i];
-  }
-  const Eigen::Matrix3d squares = directions.transpose() * directions;
-  const Eigen::MatrixXd inverse = squares.inverse() * directions.transpose();
-  std::vector<float> rows;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int k = 0; k < tile.lights; ++k) rows.push_back(float(inverse(axis, k)));
-  }
-  return rows;
-}
+std::vector<float> pseudo_inverse_of(const Tile& tile);
 
 inline Eigen::Vector3d found_in(const Tile& tile, int pixel) {
   const auto i = std::size_t(pixel);
