@@ -13,7 +13,6 @@ namespace {
 
 constexpr double rounding = 1.0 / 65535.0;  // samples are never known better than 16 bits
 constexpr double least_variance = rounding * rounding / 12.0;
-constexpr int pool_radius_px = 4;
 constexpr double prior_freedom = 20.0;  // how many residuals the typical noise is worth
 
 }  // namespace

@@ -14,6 +14,9 @@ struct Residuals {
 /// half a per cent of the largest value, what a plain 8-bit photograph has.
 inline constexpr double prior_noise = 0.005;
 
+/// Residuals are pooled over the square of this many pixels to each side.
+inline constexpr int pool_radius_px = 4;
+
 /// The median of chi-squared over its degrees of freedom (Wilson and Hilferty 1931).
 double median_of_chi_squared(double freedom);
 

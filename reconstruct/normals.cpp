@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "reconstruct/band.h"
+#include "reconstruct/box_sum.h"
 
 namespace hada {
 namespace {
@@ -84,7 +85,37 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-void judge_all(const LightSums& sums, const NormalMaps& maps, Orientation& found) {
+// Variance of the normals, per tangent axis, that lies in the choice of their estimator: by how
+// much they differ from those of another that believes other samples, beyond what noise does to the
+// difference. The variance of a difference to an efficient estimator is the difference of the
+// variances (J. A. Hausman, Econometrica 46, 1978).
+Grid<float> model_variance(const LightStack& stack, const NormalOptions& options,
+                           const NormalMaps& maps, const Grid<float>& sample_variance) {
+  NormalOptions other = options;
+  other.estimator =
+      options.estimator == Estimator::trimmed ? Estimator::biweight : Estimator::trimmed;
+  const TileSource source = source_of(stack, other);
+  NormalMaps others(stack, true);
+  solve_all(source, plan_normals(source, other.estimator), true, others);
+  Grid<float> squares(stack.mask.rows(), stack.mask.cols());
+  Grid<float> count = squares;
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    if (!maps.orientation.mask[i] || !others.orientation.mask[i]) continue;
+    const float turn = (maps.orientation.normals[i] - others.orientation.normals[i]).squaredNorm();
+    const float gain = std::abs(others.noise_gain[i] - maps.noise_gain[i]);
+    squares[i] = 0.5f * turn - sample_variance[i] * gain;
+    count[i] = 1.0f;
+  }
+  const Grid<float> pixels = box_sum(count, pool_radius_px);
+  Grid<float> variance = box_sum(squares, pool_radius_px);
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    variance[i] = std::max(variance[i], 0.0f) / std::max(pixels[i], 1.0f);
+  }
+  return variance;
+}
+
+void judge_all(const LightStack& stack, const NormalOptions& options, const LightSums& sums,
+               const NormalMaps& maps, Orientation& found) {
   found.relighting_error = relative(sum_of(sums.used), sum_of(sums.used_picture));
   found.left_out_error = relative(sum_of(sums.left_out), sum_of(sums.picture));
   for (std::size_t k = 0; k < sums.picture.size(); ++k) {
@@ -92,11 +123,15 @@ void judge_all(const LightSums& sums, const NormalMaps& maps, Orientation& found
   }
   found.noise = typical_noise(maps.residuals);
   const Grid<float> variance = local_variance(maps.residuals, found.noise);
+  const Grid<float> model = model_variance(stack, options, maps, variance);
   found.normal_sigma = Grid<float>(variance.rows(), variance.cols());
   found.albedo_sigma = found.normal_sigma;
   for (std::size_t i = 0; i < variance.size(); ++i) {
-    found.normal_sigma[i] = std::sqrt(variance[i] * maps.noise_gain[i] + maps.light_variance[i]);
-    found.albedo_sigma[i] = found.rho[i] * std::sqrt(variance[i] * maps.albedo_gain[i]);
+    const float unmodelled = unmodelled_share * found.rho[i];
+    const float sample = variance[i] + unmodelled * unmodelled;
+    found.normal_sigma[i] =
+        std::sqrt(sample * maps.noise_gain[i] + maps.light_variance[i] + model[i]);
+    found.albedo_sigma[i] = found.rho[i] * std::sqrt(sample * maps.albedo_gain[i]);
   }
 }
 
@@ -114,7 +149,7 @@ Orientation solve_normals(const LightStack& stack, const NormalOptions& options)
   if (found.albedo.empty()) found.albedo = Image(found.rho);
   found.condition = condition;
   found.terms = plan.terms;
-  if (options.uncertainty) judge_all(sums, maps, found);
+  if (options.uncertainty) judge_all(stack, options, sums, maps, found);
   return std::move(found);
 }
 

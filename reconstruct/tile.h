@@ -8,6 +8,10 @@ namespace hada {
 
 inline constexpr int lane_count = 8;  // pixels that are computed at once
 
+/// No sample is explained better than this, as a share of the albedo: no surface is Lambertian
+/// beyond that, nor are its pixels flat.
+inline constexpr float unmodelled_share = 0.002f;
+
 /// The variance of a sample that is to be expected at a pixel of albedo rho: constant + shot * rho.
 struct NoiseLaw {
   float constant = 0.0f;

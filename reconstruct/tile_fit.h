@@ -145,12 +145,11 @@ template <bool near>
   return Inverse(sums) * sums.right;
 }
 
-/// No sample is believed to be better than this: its noise, and a five-hundredth of the albedo, for
-/// no surface is Lambertian beyond that.
+/// No sample is believed to be better than this: its noise, and what no model explains.
 [[gnu::always_inline]] inline Lanes least_variance(const Tile& tile, const Lanes3& found) {
   const Lanes squares = dot(found, found);
   return all(tile.noise.constant) + all(tile.noise.shot) * root(squares) +
-         all(0.002f * 0.002f) * squares + all(1e-12f);
+         all(unmodelled_share * unmodelled_share) * squares + all(1e-12f);
 }
 
 [[gnu::always_inline]] inline Lanes least_sigma(const Tile& tile, const Lanes3& found) {
