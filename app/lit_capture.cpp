@@ -85,17 +85,17 @@ LitCapture lit_capture(Photographs photographs,
   settle_encoding(photographs, lit.lights.lights);
   lit.lights.encoding = photographs.linear ? "linear" : "srgb";
   terminal.step("finding the sample");
-  lit.stack = light_stack(photographs, lit.lights.lights, lit.spheres);
+  lit.photographs = without_pictures(photographs);
+  lit.stack = light_stack(std::move(photographs), lit.lights.lights, lit.spheres);
   if (!lit.lights.strengths_measured) balance_strengths(lit.stack);
   lit.lights.errors = rescaled(lit.lights.errors, lit.lights.lights, lit.stack.lights);
   lit.lights.lights = lit.stack.lights;
   lit.stack.light_errors = lit.lights.errors;
-  add(lit.remarks, photographs.remarks);
+  add(lit.remarks, lit.photographs.remarks);
   if (!lit.calibration) add(lit.remarks, remarks_on_lights(lit.stack.lights));
   add(lit.remarks, remarks_on_clipping(lit.stack));
   add(lit.remarks,
       remarks_on_movement(lit.stack.images, lit.stack.lights, lit.spheres, lit.stack.mask));
-  lit.photographs = std::move(photographs);
   return lit;
 }
 

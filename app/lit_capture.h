@@ -15,7 +15,7 @@ namespace hada {
 
 /// Photographs whose lights are known, and where that knowledge came from.
 struct LitCapture {
-  Photographs photographs;
+  Photographs photographs;                 // without the pictures: those are in the stack
   LightsFile lights;                       // in force, and the spheres that they were read off
   std::vector<Sphere> spheres;             // in these pictures
   std::optional<Calibration> calibration;  // absent where the lights were given

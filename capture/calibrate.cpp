@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
@@ -22,9 +23,11 @@ bool is_seen(const Light& light) {
 }
 
 // Mean misfit of the matte spheres if the pictures are taken as linear or as sRGB.
-double matte_misfit(Photographs photographs, const std::vector<Sphere>& spheres, bool as_linear) {
-  photographs.linear = as_linear;
-  const Photographs linear = linearized(std::move(photographs));
+double matte_misfit(const Photographs& photographs, const std::vector<Sphere>& spheres,
+                    bool as_linear) {
+  Photographs read = copy_of(photographs);
+  read.linear = as_linear;
+  const Photographs linear = linearized(std::move(read));
   double sum = 0.0;
   int count = 0;
   for (const Sphere& sphere : spheres) {
@@ -40,23 +43,29 @@ double matte_misfit(Photographs photographs, const std::vector<Sphere>& spheres,
 }
 
 // Settles the encoding on the matte spheres where the files do not.
-void decide_encoding(Photographs& photographs, const std::vector<Sphere>& spheres,
-                     std::vector<std::string>& remarks) {
+void decide_encoding(const Photographs& photographs, const std::vector<Sphere>& spheres,
+                     Calibration& calibration) {
+  calibration.linear = photographs.linear;
+  calibration.encoding_known = photographs.encoding_known;
   const bool has_matte = std::any_of(spheres.begin(), spheres.end(),
                                      [](const Sphere& s) { return s.kind == SphereKind::matte; });
   if (!has_matte || photographs.encoding_known) return;
   const double linear = matte_misfit(photographs, spheres, true);
   const double srgb = matte_misfit(photographs, spheres, false);
-  const bool looks_linear = linear <= srgb;
-  if (!photographs.encoding_known) {
-    photographs.linear = looks_linear;
-    photographs.encoding_known = true;
-    remarks.push_back(fmt::format(
-        "The matte sphere says that the pictures are {} (its shading is off by {:.1f} % that way, "
-        "by {:.1f} % the other).",
-        looks_linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
-        100.0 * std::max(linear, srgb)));
-  }
+  calibration.linear = linear <= srgb;
+  calibration.encoding_known = true;
+  calibration.remarks.push_back(fmt::format(
+      "The matte sphere says that the pictures are {} (its shading is off by {:.1f} % that way, "
+      "by {:.1f} % the other).",
+      calibration.linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
+      100.0 * std::max(linear, srgb)));
+}
+
+// Whether there is a sphere if the pictures are read the other way.
+bool shows_spheres_otherwise(const Photographs& given) {
+  Photographs other = copy_of(given);
+  other.linear = !given.linear;
+  return !find_spheres(other).spheres.empty();
 }
 
 // The direction of one light out of what every sphere says of it, weighted by sigma.
@@ -115,28 +124,30 @@ std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
 
 Calibration calibrate(const Photographs& given) {
   Calibration calibration;
-  Photographs photographs = given;
-  const FoundSpheres found = find_spheres(photographs);
+  const FoundSpheres found = find_spheres(given);
   for (const auto& rejected : found.rejected)
     calibration.remarks.push_back("Rejected " + rejected + ".");
   if (found.spheres.empty()) {
-    photographs.linear = !photographs.linear;
-    if (!find_spheres(photographs).spheres.empty()) {
+    if (shows_spheres_otherwise(given)) {
       throw Error(fmt::format(
           "{}: no reference sphere found while the pictures are read as {}, but read as {} there "
           "is one; say \"encoding\": \"{}\" in capture.json, or develop without a tone curve",
           given.file.folder.string(), given.linear ? "linear" : "sRGB",
-          photographs.linear ? "linear" : "sRGB", photographs.linear ? "linear" : "srgb"));
+          given.linear ? "sRGB" : "linear", given.linear ? "srgb" : "linear"));
     }
     const std::string why =
         found.rejected.empty() ? std::string("") : " (" + found.rejected.front() + ")";
     throw Error(given.file.folder.string() + ": no reference sphere found" + why +
                 "; put a matte or chrome sphere wholly into the frame, or give the lights");
   }
-  decide_encoding(photographs, found.spheres, calibration.remarks);
-  calibration.linear = photographs.linear;
-  calibration.encoding_known = photographs.encoding_known;
-  const Photographs linear = linearized(std::move(photographs));
+  decide_encoding(given, found.spheres, calibration);
+  std::optional<Photographs> made;  // large pictures are only copied where values change
+  if (!is_linearized(given) || !calibration.linear) {
+    made = copy_of(given);
+    made->linear = calibration.linear;
+    made = linearized(std::move(*made));
+  }
+  const Photographs& linear = made ? *made : given;
   for (const Sphere& sphere : found.spheres) {
     calibration.readings.push_back(sphere.kind == SphereKind::matte
                                        ? read_matte_sphere(linear, sharpened_matte(linear, sphere))

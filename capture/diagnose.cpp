@@ -233,6 +233,7 @@ std::vector<std::string> remarks_on_clipping(const LightStack& stack) {
     for (std::size_t i = 0; i < stack.mask.size(); ++i) {
       if (stack.mask[i] && stack.samples[k][i] == Sample::saturated) clipped += 1.0;
     }
+    stack.samples[k].let_go();
     if (clipped <= notable_share * area) continue;
     names.push_back(stack.lights[k].image);
     worst = std::max(worst, clipped / area);

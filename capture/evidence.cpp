@@ -157,7 +157,10 @@ SheetEvidence sheet_evidence(const Photographs& linear, const std::vector<Grid<f
   if (area == 0) return sheet;
   const int stride = stride_for(double(area), count);
   std::vector<double> level;
-  for (const auto& grey : greys) level.push_back(level_of(grey, mask));
+  for (const auto& grey : greys) {
+    level.push_back(level_of(grey, mask));
+    grey.let_go();
+  }
   const int side = std::min(3, stride) / 2 * 2 + 1;  // shadows are narrow
   for (int row = stride / 2; row < mask.rows(); row += stride) {
     for (int col = stride / 2; col < mask.cols(); col += stride) {
@@ -200,6 +203,7 @@ Mask sheet_mask(const Photographs& linear, const std::vector<Grid<float>>& greys
   Grid<float> mean(greys[0].rows(), greys[0].cols());
   for (const auto& grey : greys) {
     for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += grey[i] / float(greys.size());
+    grey.let_go();
   }
   return sample_mask(mean, spheres, linear.file.sample_box);
 }

@@ -220,12 +220,9 @@ void add_boxed(Selection& selection, const CaptureFile& file,
 }  // namespace
 
 FoundSpheres find_spheres(const Photographs& photographs) {
-  std::vector<Overview> views{overview(photographs)};
-  if (!photographs.encoding_known) {
-    Photographs other = photographs;
-    other.linear = !other.linear;
-    views.push_back(overview(other));
-  }
+  std::vector<Overview> views;
+  views.push_back(overview(photographs));
+  if (!photographs.encoding_known) views.push_back(overview(photographs, !photographs.linear));
   const Extent& extent = photographs.camera.extent;
   CircleSearch search;
   search.smallest_radius = std::max(6.0, 0.015 * std::min(extent.rows, extent.cols));

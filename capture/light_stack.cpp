@@ -16,17 +16,13 @@ namespace hada {
 namespace {
 
 // A grey value with the light's strength divided out of each channel.
-Grid<float> equalized(const Image& image, const Light& light) {
-  if (image.channels() < 3) {
-    Grid<float> grey = image.planes[0];
-    for (float& value : grey) value = float(value / light.strength[0]);
-    return grey;
-  }
-  Image scaled = image;
+float equalized(const Image& image, const Light& light, std::size_t pixel) {
+  if (image.channels() < 3) return float(image.planes[0][pixel] / light.strength[0]);
+  float grey = 0.0f;
   for (int c = 0; c < 3; ++c) {
-    for (float& value : scaled.planes[std::size_t(c)]) value = float(value / light.strength[c]);
+    grey += luminance_weight[c] * float(image.planes[std::size_t(c)][pixel] / light.strength[c]);
   }
-  return luminance(scaled);
+  return grey;
 }
 
 void scale_strengths(std::vector<Light>& lights) {
@@ -36,23 +32,33 @@ void scale_strengths(std::vector<Light>& lights) {
 }
 
 // The share of the brightness of bright pixels that no Lambertian surface under these lights shows.
-double unexplained(Photographs photographs, const std::vector<Light>& lights, bool as_linear) {
-  photographs.linear = as_linear;
-  const Photographs linear = linearized(std::move(photographs));
+double unexplained(const Photographs& photographs, const std::vector<Light>& lights,
+                   bool as_linear) {
+  Photographs read = copy_of(photographs);
+  read.linear = as_linear;
+  const Photographs linear = linearized(std::move(read));
+  const std::size_t size = linear.images.front().planes.front().size();
+  const std::size_t stride = std::max<std::size_t>(1, size / 20000);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < size; i += stride) {
+    if (linear.mask.empty() || linear.mask[i]) chosen.push_back(i);
+  }
   const auto count = Eigen::Index(lights.size());
   Eigen::MatrixX3d directions(count, 3);
-  std::vector<Grid<float>> greys;
+  Eigen::MatrixXd all_values(count, Eigen::Index(chosen.size()));
   for (Eigen::Index k = 0; k < count; ++k) {
-    directions.row(k) = lights[std::size_t(k)].direction;
-    greys.push_back(equalized(linear.images[std::size_t(k)], lights[std::size_t(k)]));
+    const Image& image = linear.images[std::size_t(k)];
+    const Light& light = lights[std::size_t(k)];
+    directions.row(k) = light.direction;
+    for (std::size_t p = 0; p < chosen.size(); ++p) {
+      all_values(k, Eigen::Index(p)) = equalized(image, light, chosen[p]);
+    }
+    image.let_go();
   }
   const Eigen::MatrixXd inverse = directions.completeOrthogonalDecomposition().pseudoInverse();
   std::vector<std::pair<double, double>> pixels;  // brightness, residual
-  const std::size_t stride = std::max<std::size_t>(1, greys[0].size() / 20000);
-  for (std::size_t i = 0; i < greys[0].size(); i += stride) {
-    if (!linear.mask.empty() && !linear.mask[i]) continue;
-    Eigen::VectorXd values(count);
-    for (Eigen::Index k = 0; k < count; ++k) values[k] = greys[std::size_t(k)][i];
+  for (Eigen::Index p = 0; p < all_values.cols(); ++p) {
+    const Eigen::VectorXd values = all_values.col(p);
     const double residual = (values - directions * (inverse * values)).norm();
     pixels.emplace_back(values.norm(), residual);
   }
@@ -63,6 +69,58 @@ double unexplained(Photographs photographs, const std::vector<Light>& lights, bo
     shares.push_back(pixels[i].second / std::max(pixels[i].first, 1e-12));
   }
   return median(std::move(shares));
+}
+
+// What all pictures together show at each pixel, and which of its samples can be believed.
+struct Levels {
+  Grid<float> mean;
+  std::vector<Grid<Sample>> samples;
+};
+
+// quantum  below it a sample is noise; below 3 % of the pixel's brightest it is shadow, filled only
+//          by what the surroundings throw back
+Levels levels_of(const Photographs& linear, const std::vector<Light>& lights, float quantum) {
+  const std::size_t count = lights.size();
+  const int rows = linear.camera.extent.rows;
+  const int cols = linear.camera.extent.cols;
+  Levels levels;
+  levels.mean = Grid<float>(rows, cols);
+  levels.samples.resize(count);
+  for (auto& samples : levels.samples) {
+    samples = Grid<Sample>(rows, cols, Sample::lit, linear.images.front().keep());
+    samples.let_go();
+  }
+  const auto look_at_row = [&](int row) {
+    const std::size_t begin = std::size_t(row) * std::size_t(cols);
+    std::vector<float> greys(count);
+    for (std::size_t i = begin; i < begin + std::size_t(cols); ++i) {
+      float brightest = 0.0f;
+      for (std::size_t k = 0; k < count; ++k) {
+        greys[k] = equalized(linear.images[k], lights[k], i);
+        levels.mean[i] += greys[k] / float(count);
+        brightest = std::max(brightest, greys[k]);
+      }
+      const float dark = std::max(0.03f * brightest, quantum);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (linear.saturated[k][i]) {
+          levels.samples[k][i] = Sample::saturated;
+        } else if (greys[k] <= dark) {
+          levels.samples[k][i] = Sample::shadowed;
+        }
+      }
+    }
+  };
+  for_slices(rows, [&](int first, int last) {
+    for_each_band(first, last, [&](int begin, int end) {
+      for (int row = begin; row < end; ++row) look_at_row(row);
+      for (std::size_t k = 0; k < count; ++k) {
+        linear.images[k].let_go(begin, end);
+        linear.saturated[k].let_go(begin, end);
+        levels.samples[k].let_go(begin, end);
+      }
+    });
+  });
+  return levels;
 }
 
 // For each picture the light that bears its name; empty if one finds none. `name` reads a name.
@@ -185,44 +243,20 @@ LightStack light_stack(Photographs photographs, std::vector<Light> lights,
   const int bits = photographs.bits;
   photographs = linearized(std::move(photographs));
 
-  const int rows = photographs.camera.extent.rows;
-  const int cols = photographs.camera.extent.cols;
-  std::vector<Grid<float>> greys(lights.size());
-  for_each_index(int(lights.size()), [&](int k) {
-    greys[std::size_t(k)] = equalized(photographs.images[std::size_t(k)], lights[std::size_t(k)]);
-  });
-  Grid<float> mean(rows, cols);
-  Grid<float> brightest(rows, cols);
-  for (const auto& grey : greys) {
-    for (std::size_t i = 0; i < grey.size(); ++i) {
-      mean[i] += grey[i] / float(greys.size());
-      brightest[i] = std::max(brightest[i], grey[i]);
-    }
-  }
+  constexpr float code_values = 2.0f;  // so many are noise
+  const float quantum = bits <= 16 ? code_values / float((1 << bits) - 1) : 0.0f;
+  Levels levels = levels_of(photographs, lights, quantum);
 
   LightStack stack;
   stack.camera = photographs.camera;
-  stack.mask = photographs.mask.empty() ? sample_mask(mean, spheres, photographs.file.sample_box)
-                                        : photographs.mask;
+  stack.mask = photographs.mask.empty()
+                   ? sample_mask(levels.mean, spheres, photographs.file.sample_box)
+                   : photographs.mask;
   if (stack.mask.empty()) {
     throw Error(folder +
                 ": no sample stands out from the background; give a mask or sample_box_px");
   }
-  // Below two code values a sample is noise; below 3 % of the pixel's brightest it is shadow,
-  // filled only by what the surroundings throw back.
-  const float quantum = bits <= 16 ? 2.0f / float((1 << bits) - 1) : 0.0f;
-  stack.samples.assign(lights.size(), Grid<Sample>(rows, cols, Sample::lit));
-  for_each_index(int(lights.size()), [&](int k) {
-    const auto& grey = greys[std::size_t(k)];
-    auto& samples = stack.samples[std::size_t(k)];
-    for (std::size_t i = 0; i < grey.size(); ++i) {
-      if (photographs.saturated[std::size_t(k)][i]) {
-        samples[i] = Sample::saturated;
-      } else if (grey[i] <= std::max(0.03f * brightest[i], quantum)) {
-        samples[i] = Sample::shadowed;
-      }
-    }
-  });
+  stack.samples = std::move(levels.samples);
   stack.images = std::move(photographs.images);
   stack.lights = std::move(lights);
   return stack;

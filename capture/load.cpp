@@ -35,14 +35,31 @@ void check_values(const std::string& name, const ImageFile& file) {
   }
 }
 
-Mask saturated_pixels(const ImageFile& file) {
-  Mask saturated(file.image.rows(), file.image.cols(), 0);
+Mask saturated_pixels(const ImageFile& file, Keep keep) {
+  Mask saturated(file.image.rows(), file.image.cols(), 0, keep);
   if (file.floating) return saturated;  // a float file has no largest value
   const float full = 1.0f - 0.5f / float((1 << std::min(file.bits, 16)) - 1);
   for (const auto& plane : file.image.planes) {
     for (std::size_t i = 0; i < plane.size(); ++i) saturated[i] |= plane[i] >= full;
   }
+  saturated.let_go();
   return saturated;
+}
+
+std::size_t bytes_of(const Image& image) {
+  return std::size_t(image.channels()) * image.planes.front().size() * sizeof(float);
+}
+
+Image kept(Image image, Keep keep) {
+  if (image.keep() == keep) return image;
+  Image copy;
+  for (Grid<float>& plane : image.planes) {
+    copy.planes.emplace_back(plane.rows(), plane.cols(), 0.0f, keep);
+    std::copy(plane.begin(), plane.end(), copy.planes.back().begin());
+    copy.planes.back().let_go();
+    plane = {};
+  }
+  return copy;
 }
 
 std::string size_text(const Image& image) {
@@ -88,59 +105,59 @@ Camera camera_of(const CaptureFile& file, const Image& first) {
   return camera;
 }
 
-void decode_srgb(Image& image) {
-  for (auto& plane : image.planes) {
-    for (float& value : plane) value = linear_from_srgb(value);
-  }
+void decode_srgb(Grid<float>& plane) {
+  for (float& value : plane) value = linear_from_srgb(value);
 }
 
-// Plane by plane; a grey companion serves every plane.
-void subtract(Image& target, const Image& other) {
-  for (int c = 0; c < target.channels(); ++c) {
-    auto& plane = target.planes[std::size_t(c)];
-    const auto& minus = other.planes[std::size_t(std::min(c, other.channels() - 1))];
-    for (std::size_t i = 0; i < plane.size(); ++i) plane[i] -= minus[i];
-  }
+// The plane that belongs to channel `c`; a grey companion serves every channel.
+const Grid<float>& plane_for(int c, const Image& companion) {
+  return companion.planes[std::size_t(std::min(c, companion.channels() - 1))];
+}
+
+void subtract(Grid<float>& plane, const Grid<float>& minus) {
+  for (std::size_t i = 0; i < plane.size(); ++i) plane[i] -= minus[i];
 }
 
 // Divides by the flat field, scaled to a mean of 1 so that exposure keeps its meaning.
-void divide_by_flat(Image& target, const Image& flat) {
-  for (int c = 0; c < target.channels(); ++c) {
-    auto& plane = target.planes[std::size_t(c)];
-    const auto& by = flat.planes[std::size_t(std::min(c, flat.channels() - 1))];
-    double sum = 0.0;
-    for (const float value : by) sum += value;
-    const double mean = sum / double(by.size());
-    // Where the flat field is nearly black the quotient would be noise: leave such pixels dark.
-    const float least = float(0.02 * mean);
-    for (std::size_t i = 0; i < plane.size(); ++i) {
-      plane[i] = by[i] > least ? float(plane[i] * mean / by[i]) : 0.0f;
-    }
+void divide_by_flat(Grid<float>& plane, const Grid<float>& by) {
+  double sum = 0.0;
+  for (const float value : by) sum += value;
+  const double mean = sum / double(by.size());
+  // Where the flat field is nearly black the quotient would be noise: leave such pixels dark.
+  const float least = float(0.02 * mean);
+  for (std::size_t i = 0; i < plane.size(); ++i) {
+    plane[i] = by[i] > least ? float(plane[i] * mean / by[i]) : 0.0f;
   }
 }
 
 }  // namespace
 
-Photographs load_photographs(const CaptureFile& file) {
+Photographs load_photographs(const CaptureFile& file, const LoadOptions& options) {
   if (file.pictures.empty()) {
     throw Error(file.folder.string() + ": holds no pictures; put one picture per light there");
   }
   Photographs photographs;
   photographs.file = file;
   const std::size_t count = file.pictures.size();
-  std::vector<ImageFile> files(count);
+  photographs.bits = 32;
+  bool all_deep = true;
   for (std::size_t k = 0; k < count; ++k) {
-    files[k] = read_image(file.pictures[k].file);
-    check_values(file.pictures[k].file.string(), files[k]);
-    if (files[k].image.rows() != files[0].image.rows() ||
-        files[k].image.cols() != files[0].image.cols() ||
-        files[k].image.channels() != files[0].image.channels()) {
+    ImageFile read = read_image(file.pictures[k].file);
+    check_values(file.pictures[k].file.string(), read);
+    const Image& first = k == 0 ? read.image : photographs.images.front();
+    if (read.image.rows() != first.rows() || read.image.cols() != first.cols() ||
+        read.image.channels() != first.channels()) {
       throw Error(fmt::format("{}: is {}, but {} is {}; all pictures must be of one size",
-                              file.pictures[k].file.string(), size_text(files[k].image),
-                              file.pictures[0].name, size_text(files[0].image)));
+                              file.pictures[k].file.string(), size_text(read.image),
+                              file.pictures[0].name, size_text(first)));
     }
+    photographs.bits = std::min(photographs.bits, read.bits);
+    all_deep = all_deep && (read.floating || read.bits > 8);
+    const Keep keep = options.keep.value_or(keep_of_pictures(count * bytes_of(read.image)));
+    photographs.saturated.push_back(saturated_pixels(read, keep));
+    photographs.images.push_back(kept(std::move(read.image), keep));
   }
-  const Image& first = files[0].image;
+  const Image& first = photographs.images.front();
   constexpr int smallest_side = 16;  // a sphere and a sample cannot share fewer pixels
   if (std::min(first.rows(), first.cols()) < smallest_side) {
     throw Error(fmt::format("{}: is only {} pixels; a sample needs at least {} x {}",
@@ -148,14 +165,6 @@ Photographs load_photographs(const CaptureFile& file) {
                             smallest_side));
   }
   photographs.camera = camera_of(file, first);
-  photographs.bits = 32;
-  bool all_deep = true;
-  for (ImageFile& read : files) {
-    photographs.bits = std::min(photographs.bits, read.bits);
-    all_deep = all_deep && (read.floating || read.bits > 8);
-    photographs.saturated.push_back(saturated_pixels(read));
-    photographs.images.push_back(std::move(read.image));
-  }
   // 8-bit files nearly always carry the sRGB curve, deeper ones nearly never do.
   photographs.linear = file.encoding == "linear" || (file.encoding == "auto" && all_deep);
   photographs.encoding_known = file.encoding != "auto" || all_deep;
@@ -164,25 +173,43 @@ Photographs load_photographs(const CaptureFile& file) {
   return photographs;
 }
 
+bool is_linearized(const Photographs& photographs) {
+  const CaptureFile& file = photographs.file;
+  return photographs.linear && !file.dark && !file.ambient && !file.flat;
+}
+
 Photographs linearized(Photographs photographs) {
+  if (is_linearized(photographs)) {
+    photographs.encoding_known = true;
+    return photographs;
+  }
   const CaptureFile& file = photographs.file;
   const auto read_linear = [&](const std::optional<std::filesystem::path>& path) {
     std::optional<Image> image;
     if (path) image = companion(*path, photographs.camera);
-    if (image && !photographs.linear) decode_srgb(*image);
+    if (!image || photographs.linear) return image;
+    for (auto& plane : image->planes) decode_srgb(plane);
     return image;
   };
   const auto dark = read_linear(file.dark);
   auto ambient = read_linear(file.ambient);
   auto flat = read_linear(file.flat);
-  if (flat && dark) subtract(*flat, *dark);
+  if (flat && dark) {
+    for (int c = 0; c < flat->channels(); ++c) {
+      subtract(flat->planes[std::size_t(c)], plane_for(c, *dark));
+    }
+  }
   // The ambient frame holds the dark signal too: subtracting it removes both.
   const Image* const background = ambient ? &*ambient : dark ? &*dark : nullptr;
   for_each_index(int(photographs.images.size()), [&](int k) {
     Image& image = photographs.images[std::size_t(k)];
-    if (!photographs.linear) decode_srgb(image);
-    if (background) subtract(image, *background);
-    if (flat) divide_by_flat(image, *flat);
+    for (int c = 0; c < image.channels(); ++c) {
+      Grid<float>& plane = image.planes[std::size_t(c)];
+      if (!photographs.linear) decode_srgb(plane);
+      if (background) subtract(plane, plane_for(c, *background));
+      if (flat) divide_by_flat(plane, plane_for(c, *flat));
+      plane.let_go();
+    }
   });
   photographs.linear = true;
   photographs.encoding_known = true;
@@ -190,6 +217,36 @@ Photographs linearized(Photographs photographs) {
   photographs.file.ambient.reset();
   photographs.file.flat.reset();
   return photographs;
+}
+
+Photographs copy_of(const Photographs& photographs) {
+  Photographs copy = without_pictures(photographs);
+  for (const Image& image : photographs.images) {
+    copy.images.emplace_back();
+    for (const auto& plane : image.planes) {
+      copy.images.back().planes.push_back(plane);
+      plane.let_go();
+      copy.images.back().let_go();
+    }
+  }
+  for (const Mask& saturated : photographs.saturated) {
+    copy.saturated.push_back(saturated);
+    saturated.let_go();
+    copy.saturated.back().let_go();
+  }
+  return copy;
+}
+
+Photographs without_pictures(const Photographs& photographs) {
+  return {.file = photographs.file,
+          .camera = photographs.camera,
+          .images = {},
+          .saturated = {},
+          .mask = photographs.mask,
+          .bits = photographs.bits,
+          .linear = photographs.linear,
+          .encoding_known = photographs.encoding_known,
+          .remarks = photographs.remarks};
 }
 
 }  // namespace hada

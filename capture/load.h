@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace hada {
 
-/// The photographs of a folder in memory, before anyone knows their lights.
+/// The photographs of a folder, before anyone knows their lights.
 ///
 /// Values are those of the files, scaled so that 1 is the largest a file could hold; dark, ambient
 /// and flat are taken into account by `linearize`.
@@ -27,14 +28,28 @@ struct Photographs {
   std::vector<std::string> remarks;
 };
 
-/// Reads every picture that `file` names.
+struct LoadOptions {
+  std::optional<Keep> keep;  // none: as many as the pictures are, `keep_of_pictures`
+};
+
+/// Reads every picture that `file` names, one after the other: large ones are kept on disk, so that
+/// they need not fit into memory together.
 ///
 /// throws  Error for fewer pictures than one, mixed sizes or channel counts, values that are not
 ///         finite, and pictures that are all black or all white
-Photographs load_photographs(const CaptureFile& file);
+Photographs load_photographs(const CaptureFile& file, const LoadOptions& options = {});
 
 /// The same photographs with linear values: sRGB curve undone where it was on, then dark and
 /// ambient taken off and the flat field divided out.
 Photographs linearized(Photographs photographs);
+
+/// Whether `linearized` would change no value.
+bool is_linearized(const Photographs& photographs);
+
+/// Another set of the same pictures, of which none stays in memory if they are on disk.
+Photographs copy_of(const Photographs& photographs);
+
+/// What is known of them, without the pictures themselves.
+Photographs without_pictures(const Photographs& photographs);
 
 }  // namespace hada

@@ -16,15 +16,17 @@ float quantile_of(const Grid<float>& picture, double share) {
 
 }  // namespace
 
-Overview overview(const Photographs& photographs) {
+Overview overview(const Photographs& photographs, bool linear) {
   Overview all;
   for (const Image& image : photographs.images) {
-    all.greys.push_back(luminance(image));
-    if (!photographs.linear) {
-      for (float& value : all.greys.back()) value = linear_from_srgb(value);
+    Grid<float> grey = luminance(image);
+    if (!linear) {
+      for (float& value : grey) value = linear_from_srgb(value);
     }
-    all.bright.push_back(quantile_of(all.greys.back(), 0.99));
-    all.glint.push_back(quantile_of(all.greys.back(), 1.0));
+    all.bright.push_back(quantile_of(grey, 0.99));
+    all.glint.push_back(quantile_of(grey, 1.0));
+    grey.let_go();
+    all.greys.push_back(std::move(grey));
   }
   const int rows = all.greys[0].rows();
   const int cols = all.greys[0].cols();
@@ -32,7 +34,7 @@ Overview overview(const Photographs& photographs) {
   const float least =
       std::max(0.002f * all.bright[0], photographs.bits <= 8 ? 1.0f / 255.0f : 1e-5f);
   all.mean_log = all.brightest = all.brightest_log = Grid<float>(rows, cols);
-  for_each_index(rows, [&](int row) {
+  const auto look_at_row = [&](int row) {
     for (int col = 0; col < cols; ++col) {
       double sum = 0.0;
       float highest = 0.0f;
@@ -45,6 +47,12 @@ Overview overview(const Photographs& photographs) {
       all.brightest(row, col) = highest;
       all.brightest_log(row, col) = std::log(highest + least);
     }
+  };
+  for_slices(rows, [&](int first, int last) {
+    for_each_band(first, last, [&](int begin, int end) {
+      for (int row = begin; row < end; ++row) look_at_row(row);
+      for (const auto& grey : all.greys) grey.let_go(begin, end);
+    });
   });
   return all;
 }

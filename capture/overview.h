@@ -18,7 +18,12 @@ struct Overview {
   Grid<float> brightest_log;
 };
 
-/// photographs  read as linear or as sRGB, as they say of themselves
-Overview overview(const Photographs& photographs);
+/// linear  how the pictures are read: as linear values or as sRGB
+Overview overview(const Photographs& photographs, bool linear);
+
+/// Read as they say of themselves.
+inline Overview overview(const Photographs& photographs) {
+  return overview(photographs, photographs.linear);
+}
 
 }  // namespace hada

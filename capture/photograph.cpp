@@ -61,8 +61,10 @@ LightStack photograph(const Surface& sheet, const Rig& rig) {
   LightStack stack;
   stack.camera.extent = {rig.rows, rig.cols, rig.pitch_mm, Unit::mm};
   stack.lights = rig.lights;
-  stack.images.assign(pictures, Image(rig.rows, rig.cols, channels));
-  stack.samples.assign(pictures, Grid<Sample>(rig.rows, rig.cols, Sample::lit));
+  const std::size_t values = std::size_t(rig.rows) * std::size_t(rig.cols) * std::size_t(channels);
+  const Keep keep = keep_of_pictures(pictures * values * sizeof(float));
+  stack.images.assign(pictures, Image(rig.rows, rig.cols, channels, keep));
+  stack.samples.assign(pictures, Grid<Sample>(rig.rows, rig.cols, Sample::lit, keep));
   stack.mask = Mask(rig.rows, rig.cols);
 
   const auto take_pixel = [&](int row, int col) {

@@ -15,8 +15,6 @@ namespace {
 Eigen::MatrixXd lit_values(const LightStack& stack) {
   const std::size_t pixels = stack.mask.size();
   const std::size_t stride = std::max<std::size_t>(1, pixels / 20000);
-  std::vector<Grid<float>> greys;
-  for (const Image& image : stack.images) greys.push_back(luminance(image));
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < pixels; i += stride) {
     const bool lit = stack.mask[i] &&
@@ -24,11 +22,12 @@ Eigen::MatrixXd lit_values(const LightStack& stack) {
                                  [&](const auto& samples) { return samples[i] == Sample::lit; });
     if (lit) chosen.push_back(i);
   }
-  Eigen::MatrixXd values(Eigen::Index(chosen.size()), Eigen::Index(greys.size()));
-  for (std::size_t p = 0; p < chosen.size(); ++p) {
-    for (std::size_t k = 0; k < greys.size(); ++k) {
-      values(Eigen::Index(p), Eigen::Index(k)) =
-          greys[k][chosen[p]] / stack.lights[k].strength.mean();
+  for (const auto& samples : stack.samples) samples.let_go();
+  Eigen::MatrixXd values(Eigen::Index(chosen.size()), Eigen::Index(stack.images.size()));
+  for (std::size_t k = 0; k < stack.images.size(); ++k) {
+    const Grid<float> grey = luminance(stack.images[k]);
+    for (std::size_t p = 0; p < chosen.size(); ++p) {
+      values(Eigen::Index(p), Eigen::Index(k)) = grey[chosen[p]] / stack.lights[k].strength.mean();
     }
   }
   return values;

@@ -55,6 +55,8 @@ std::vector<Patch> patches(const std::vector<Grid<float>>& greys, const Camera& 
       for (double& value : patch.values) value /= pixels;
       all[std::size_t(block_row) * std::size_t(cols) + std::size_t(block_col)] = std::move(patch);
     }
+    const int begin = block_row * block;
+    for (const auto& grey : greys) grey.let_go(begin, std::min(begin + block, extent.rows));
   });
   return all;
 }

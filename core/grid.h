@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/keep.h"
+
 namespace hada {
 
 /// A rectangle of values addressed by (row, col), row 0 at the top, rows stored one after another.
@@ -14,8 +16,10 @@ template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(int rows, int cols, const T& value = T{})
-      : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), value) {
+  Grid(int rows, int cols, const T& value = T{}, Keep keep = Keep::in_memory)
+      : rows_(rows),
+        cols_(cols),
+        values_(std::size_t(rows) * std::size_t(cols), value, KeepAllocator<T>(keep)) {
     assert(rows >= 0 && cols >= 0);
   }
 
@@ -48,6 +52,20 @@ class Grid {
   std::span<const T> row(int row) const {
     return {values_.data() + std::size_t(row) * std::size_t(cols_), std::size_t(cols_)};
   }
+
+  /// A copy is kept where its original is; a crop is in memory.
+  Keep keep() const { return values_.get_allocator().keep; }
+
+  /// Of a grid on disk: the rows [begin, end) have been read or written and may leave the memory
+  /// until they are wanted again. Nothing is lost, and nothing done for a grid in memory.
+  void let_go(int begin, int end) const {
+    if (keep() == Keep::on_disk) {
+      let_go_of_memory(row(begin).data(),
+                       std::size_t(end - begin) * std::size_t(cols_) * sizeof(T));
+    }
+  }
+  void let_go() const { let_go(0, rows_); }
+
   T* data() { return values_.data(); }
   const T* data() const { return values_.data(); }
   auto begin() { return values_.begin(); }
@@ -60,7 +78,7 @@ class Grid {
  private:
   int rows_ = 0;
   int cols_ = 0;
-  std::vector<T> values_;
+  std::vector<T, KeepAllocator<T>> values_;
 };
 
 /// 1 where a pixel counts, 0 where it has no meaning and must not be read.

@@ -2,12 +2,30 @@
 
 namespace hada {
 
-Grid<float> luminance(const Image& image) {
-  if (image.channels() < 3) return image.planes.front();
-  Grid<float> grey(image.rows(), image.cols());
-  for (std::size_t i = 0; i < grey.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) grey[i] += luminance_weight[c] * image.planes[c][i];
+void luminance(const Image& image, int row, std::span<float> grey) {
+  const auto first = image.planes[0].row(row);
+  if (image.channels() < 3) {
+    std::copy(first.begin(), first.end(), grey.begin());
+    return;
   }
+  const auto second = image.planes[1].row(row);
+  const auto third = image.planes[2].row(row);
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    float sum = 0.0f;
+    sum += luminance_weight[0] * first[i];
+    sum += luminance_weight[1] * second[i];
+    sum += luminance_weight[2] * third[i];
+    grey[i] = sum;
+  }
+}
+
+Grid<float> luminance(const Image& image) {
+  Grid<float> grey(image.rows(), image.cols(), 0.0f, image.keep());
+  for_each_band(0, image.rows(), [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) luminance(image, row, grey.row(row));
+    image.let_go(begin, end);
+    grey.let_go(begin, end);
+  });
   return grey;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/grid.h"
@@ -12,8 +14,9 @@ struct Image {
   std::vector<Grid<float>> planes;
 
   Image() = default;
-  Image(int rows, int cols, int channels)
-      : planes(std::size_t(channels), Grid<float>(rows, cols)) {}
+  Image(int rows, int cols, int channels, Keep keep = Keep::in_memory) {
+    for (int c = 0; c < channels; ++c) planes.emplace_back(rows, cols, 0.0f, keep);
+  }
   explicit Image(Grid<float> grey) { planes.push_back(std::move(grey)); }
 
   int rows() const { return planes.empty() ? 0 : planes.front().rows(); }
@@ -21,14 +24,33 @@ struct Image {
   int channels() const { return int(planes.size()); }
   bool empty() const { return planes.empty(); }
 
+  Keep keep() const { return planes.empty() ? Keep::in_memory : planes.front().keep(); }
+  /// See Grid.
+  void let_go(int begin, int end) const {
+    for (const auto& plane : planes) plane.let_go(begin, end);
+  }
+  void let_go() const { let_go(0, rows()); }
+
   bool operator==(const Image&) const = default;
 };
 
 /// How much red, green and blue weigh in a grey value (Rec. ITU-R BT.709, linear light).
 inline constexpr float luminance_weight[3] = {0.2126f, 0.7152f, 0.0722f};
 
-/// One grey plane: the luminance of a colour picture, or a copy of a grey one.
+/// One grey plane: the luminance of a colour picture, or a copy of a grey one. It is kept where the
+/// picture is; on disk, neither stays in memory.
 Grid<float> luminance(const Image& image);
+
+/// The same of one row.
+void luminance(const Image& image, int row, std::span<float> grey);
+
+/// Calls `read(begin, end)` for one band of rows after the other, so low that a band of many large
+/// pictures takes little memory; after each, the caller lets go of it.
+template <class Read>
+void for_each_band(int first, int last, const Read& read) {
+  constexpr int band_rows = 64;
+  for (int row = first; row < last; row += band_rows) read(row, std::min(last, row + band_rows));
+}
 
 /// The pixels in the rectangle of `rows` x `cols` pixels whose first is (row, col), in every plane.
 Image crop(const Image& image, int row, int col, int rows, int cols);

@@ -82,6 +82,29 @@ int bits_of(const OIIO::ImageSpec& spec, bool floating) {
   return said > 0 ? std::min(said, stored) : stored;
 }
 
+// Calls `put(row, pixels)` with so many rows at a time that what they take is small beside the
+// picture; tiles come all at once. False where the file cannot be read.
+template <class Put>
+bool read_rows(OIIO::ImageInput& input, int first_channel, int channels, const Put& put) {
+  const OIIO::ImageSpec spec = input.spec();
+  const int rows_at_once = spec.tile_width > 0 ? spec.height : std::min(spec.height, 256);
+  std::vector<float> pixels(std::size_t(spec.width) * std::size_t(rows_at_once * channels));
+  for (int row = 0; row < spec.height; row += rows_at_once) {
+    const int end = std::min(spec.height, row + rows_at_once);
+    const bool good =
+        rows_at_once == spec.height
+            ? input.read_image(0, 0, first_channel, first_channel + channels, OIIO::TypeFloat,
+                               pixels.data())
+            : input.read_scanlines(0, 0, spec.y + row, spec.y + end, spec.z, first_channel,
+                                   first_channel + channels, OIIO::TypeFloat, pixels.data());
+    if (!good) return false;
+    for (int r = row; r < end; ++r) {
+      put(r, pixels.data() + std::size_t(r - row) * std::size_t(spec.width * channels));
+    }
+  }
+  return true;
+}
+
 std::string read_open_file(OIIO::ImageInput& input, const std::string& path, ImageFile& file) {
   const OIIO::ImageSpec& spec = input.spec();
   if (auto problem = size_problem(spec, path); !problem.empty()) return problem;
@@ -93,18 +116,17 @@ std::string read_open_file(OIIO::ImageInput& input, const std::string& path, Ima
 
   const auto [first, last] = std::minmax_element(channels.begin(), channels.end());
   const int stride = *last - *first + 1;
-  std::vector<float> pixels(std::size_t(spec.width) * spec.height * stride);
-  if (!input.read_image(0, 0, *first, *last + 1, OIIO::TypeFloat, pixels.data())) {
-    return damaged(first_line(input.geterror()));
-  }
   file.image = Image(spec.height, spec.width, int(channels.size()));
-  for (std::size_t plane = 0; plane < channels.size(); ++plane) {
-    const float* source = pixels.data() + (channels[plane] - *first);
-    for (float& value : file.image.planes[plane]) {
-      value = *source;
-      source += stride;
+  const bool good = read_rows(input, *first, stride, [&](int row, const float* pixels) {
+    for (std::size_t plane = 0; plane < channels.size(); ++plane) {
+      const float* source = pixels + (channels[plane] - *first);
+      for (float& value : file.image.planes[plane].row(row)) {
+        value = *source;
+        source += stride;
+      }
     }
-  }
+  });
+  if (!good) return damaged(first_line(input.geterror()));
   file.floating = spec.format.is_floating_point();
   file.bits = bits_of(spec, file.floating);
   return "";

@@ -158,6 +158,7 @@ std::vector<LightSums> solve_together(const TileSource& source, const NormalPlan
   if (pixels == 0) return {};
   Workspace work(source, plan, pixels, true);
   for (const Run& run : runs) source.fill(work.tile, run.first, run.row, run.col, run.count);
+  source.let_go(begin, end);
   fit_robust_pca(work.tile);
   if (uncertainty) put_judgement(runs, work, maps);
   put(source, plan, runs, work, maps);
@@ -206,7 +207,7 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
   const bool direct =
       plan.estimator == Estimator::least_squares && source.reads_directly() && !uncertainty;
   std::vector<LightSums> sums;
-  for (int row = begin; row < end; ++row) {
+  const auto solve_row = [&](int row) {
     for (int col = 0; col < mask.cols(); col += tile_pixels) {
       const int count = std::min(tile_pixels, mask.cols() - col);
       if (!any_inside(mask, row, col, count)) continue;
@@ -223,7 +224,11 @@ std::vector<LightSums> solve_band(const TileSource& source, const NormalPlan& pl
       put(source, plan, runs, work, maps);
     }
     if (uncertainty) sums.push_back(sums_of(work.judgement));
-  }
+  };
+  for_each_band(begin, end, [&](int first, int last) {
+    for (int row = first; row < last; ++row) solve_row(row);
+    source.let_go(first, last);
+  });
   return sums;
 }
 

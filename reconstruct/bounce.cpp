@@ -66,7 +66,9 @@ Grid<float> coarse_grey(const Coarse& coarse, const Image& image, const Light& l
                         const Mask& mask) {
   Grid<float> grey(coarse.rows, coarse.cols);
   for (int channel = 0; channel < image.channels(); ++channel) {
-    const Grid<float> part = coarse.mean(image.planes[std::size_t(channel)], mask, 0.0f);
+    const Grid<float>& plane = image.planes[std::size_t(channel)];
+    const Grid<float> part = coarse.mean(plane, mask, 0.0f);
+    plane.let_go();
     const float scale = float(1.0 / (image.channels() * light.strength[channel]));
     for (std::size_t i = 0; i < grey.size(); ++i) grey[i] += scale * part[i];
   }

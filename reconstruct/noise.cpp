@@ -23,6 +23,7 @@ double median_of_chi_squared(double freedom) {
 
 double typical_noise(const Residuals& residuals) {
   std::vector<double> variances;
+  variances.reserve(residuals.squares.size());
   for (std::size_t i = 0; i < residuals.squares.size(); ++i) {
     const double freedom = residuals.freedom[i];
     if (freedom <= 0.0) continue;

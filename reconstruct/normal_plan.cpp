@@ -51,10 +51,16 @@ Tile pilot(const TileSource& source) {
     }
   }
   Tile tile = source.tile(int(chosen_pixels.size()), true);
+  int band = 0;  // the first row that is still held
   for (int i = 0; i < tile.pixels; ++i) {
     const auto [row, col] = chosen_pixels[std::size_t(i)];
     source.fill(tile, i, row, col, 1);
+    constexpr int most_rows = 64;
+    if (row < band + most_rows) continue;
+    source.let_go(band, row + 1);
+    band = row + 1;
   }
+  source.let_go(band, mask.rows());
   return tile;
 }
 

@@ -200,7 +200,10 @@ Orientation orientation_of(const LightStack& stack, Estimator estimator) {
     const bool bounces = folded && mean_slope(found) > least_slope;
     const int passes = bounces ? bounce_passes : near ? near_passes : 0;
     for (int pass = 0; pass < passes; ++pass) {
-      if (pass > 0) found = solve_normals(stack, options);
+      if (pass > 0) {
+        found = {};  // large maps need not be there twice
+        found = solve_normals(stack, options);
+      }
       if (bounces && pass > 0 && found.terms.bounce == 0.0f) {  // nothing of it in the pictures
         options.bounce = nullptr;
         if (!near || pass >= near_passes) break;
@@ -241,7 +244,7 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   if (pixels_in(stack.mask) == 0) {
     throw Error("the mask is empty: no pixel belongs to the sample; check the mask or its box");
   }
-  const Orientation found = orientation_of(stack, options.estimator);
+  Orientation found = orientation_of(stack, options.estimator);
   if (pixels_in(found.mask) == 0) {
     throw Error(
         "no pixel of the mask has three good samples and a normal towards the camera: check the "
@@ -249,16 +252,6 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   }
 
   Reconstruction result;
-  Surface& surface = result.surface;
-  surface = cropped(found, stack.extent());
-  const double pitch = surface.extent.pitch;
-  surface.height = integrate(surface.normals, surface.mask, pitch,
-                             {.weight = slope_weight(surface.normal_sigma, surface.mask),
-                              .pin_hole = pin_hole_of(stack.camera, surface.offset_px)});
-  level(surface.height, surface.mask, options.levelling);
-  surface.levelling = name_of(options.levelling);
-  surface.height_sigma =
-      height_sigma(surface.normals, surface.normal_sigma, surface.mask, pitch, options.levelling);
   result.estimator = options.estimator;
   result.noise = found.noise;
   result.relighting_error = found.relighting_error;
@@ -268,6 +261,17 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
   result.inliers = crop(found.inliers, row, col, rows, cols);
   result.condition = found.condition;
   result.remarks = remarks_on(stack, found);
+  Surface& surface = result.surface;
+  surface = cropped(found, stack.extent());
+  found = {};  // the height needs the room of the uncropped maps
+  const double pitch = surface.extent.pitch;
+  surface.height = integrate(surface.normals, surface.mask, pitch,
+                             {.weight = slope_weight(surface.normal_sigma, surface.mask),
+                              .pin_hole = pin_hole_of(stack.camera, surface.offset_px)});
+  level(surface.height, surface.mask, options.levelling);
+  surface.levelling = name_of(options.levelling);
+  surface.height_sigma =
+      height_sigma(surface.normals, surface.normal_sigma, surface.mask, pitch, options.levelling);
   return result;
 }
 

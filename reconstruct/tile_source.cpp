@@ -127,6 +127,13 @@ bool TileSource::fill(Tile& tile, int first, int row, int col, int count) const 
   return all_trusted;
 }
 
+void TileSource::let_go(int begin, int end) const {
+  for (std::size_t k = 0; k < stack.images.size(); ++k) {
+    stack.images[k].let_go(begin, end);
+    stack.samples[k].let_go(begin, end);
+  }
+}
+
 bool TileSource::reads_directly() const {
   return stack.images.front().channels() == 1 && !near();
 }

@@ -28,6 +28,9 @@ struct TileSource {
   /// returns  whether every one of these samples may count
   bool fill(Tile& tile, int first, int row, int col, int count) const;
 
+  /// The rows [begin, end) have been read: those of pictures on disk may leave the memory.
+  void let_go(int begin, int end) const;
+
   /// Whether grey values can be read off the pictures: one channel, distant lights.
   bool reads_directly() const;
 

@@ -59,12 +59,12 @@ std::string light_table(const std::vector<Light>& lights) {
 std::string pictures_section(const WholePath& path) {
   const Photographs& photographs = path.lit.photographs;
   constexpr std::size_t most = 12;
-  const std::size_t shown = std::min(most, photographs.images.size());
+  const std::vector<Image>& images = path.lit.stack.images;
+  const std::size_t shown = std::min(most, images.size());
   std::string html = "<h2>The pictures</h2>\n";
-  std::string text =
-      fmt::format("{} pictures, {} bit, read as {} values.", photographs.images.size(),
-                  photographs.bits, photographs.linear ? "linear" : "sRGB");
-  if (shown < photographs.images.size()) text += fmt::format(" The first {} are shown.", shown);
+  std::string text = fmt::format("{} pictures, {} bit, read as {} values.", images.size(),
+                                 photographs.bits, photographs.linear ? "linear" : "sRGB");
+  if (shown < images.size()) text += fmt::format(" The first {} are shown.", shown);
   if (path.lit.calibration) {
     for (const auto& reading : path.lit.calibration->readings) {
       text += " " + sphere_sentence(reading);
@@ -75,11 +75,11 @@ std::string pictures_section(const WholePath& path) {
   }
   html += paragraph(escaped(text)) + "<div class=\"strip\">\n";
   for (std::size_t k = 0; k < shown; ++k) {
-    const Image small = thumbnail(photographs.images[k], photographs.linear, 300);
-    html +=
-        photograph_figure({small, double(photographs.images[k].cols()) / std::max(1, small.cols()),
-                           path.lit.spheres, highlights_in(path.lit, k),
-                           fmt::format("{}: {}", k + 1, photographs.file.pictures[k].name)});
+    const Image small = thumbnail(images[k], true, 300);
+    images[k].let_go();
+    html += photograph_figure({small, double(images[k].cols()) / std::max(1, small.cols()),
+                               path.lit.spheres, highlights_in(path.lit, k),
+                               fmt::format("{}: {}", k + 1, photographs.file.pictures[k].name)});
   }
   return html + "</div>\n";
 }

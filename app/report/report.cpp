@@ -19,7 +19,7 @@ std::string capitalized(std::string sentence) {
 // The letter in one paragraph, for who reads no further.
 std::string summary(const WholePath& path) {
   std::string text =
-      fmt::format("{} photographs of {} pixels were measured. ", path.lit.photographs.images.size(),
+      fmt::format("{} photographs of {} pixels were measured. ", path.lit.stack.images.size(),
                   size_text(path.lit.photographs.camera.extent));
   text += capitalized(told(path.lit)) + " " + capitalized(told(path.reconstruction));
   const int parts = int(part_count(path.material.material));

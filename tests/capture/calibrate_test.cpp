@@ -93,5 +93,19 @@ TEST(Calibrate, SaysThatThereIsNoSphere) {
   EXPECT_THROW(calibrate(table_scene({})), Error);
 }
 
+TEST(Calibrate, FindsTheSameLightsInPicturesOnDisk) {
+  const Photographs in_memory = table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)});
+  Photographs on_disk = in_memory;
+  put_on_disk(on_disk);
+  const Calibration expected = calibrate(in_memory);
+  const Calibration found = calibrate(on_disk);
+  EXPECT_EQ(found.remarks, expected.remarks);
+  for (std::size_t k = 0; k < expected.lights.size(); ++k) {
+    EXPECT_EQ(found.lights[k].direction, expected.lights[k].direction);
+    EXPECT_EQ(found.lights[k].strength, expected.lights[k].strength);
+    EXPECT_EQ(found.lights[k].direction_sigma, expected.lights[k].direction_sigma);
+  }
+}
+
 }  // namespace
 }  // namespace hada

@@ -104,5 +104,22 @@ TEST_F(Load, AsksForTheFocalLengthOfAPerspectiveCamera) {
   EXPECT_NEAR(load_photographs(file_).camera.focal_px, 3000.0, 1e-9);
 }
 
+TEST_F(Load, KeepsTheSamePicturesOnDisk) {
+  for (const char* const name : {"a.png", "b.png", "c.png"}) add(name, 0.5f);
+  file_.dark = picture("dark.png", 0.1f);
+  const Photographs in_memory = load_photographs(file_, {.keep = Keep::in_memory});
+  const Photographs on_disk = load_photographs(file_, {.keep = Keep::on_disk});
+  EXPECT_EQ(load_photographs(file_).images[0].keep(), Keep::in_memory);  // they are small
+  EXPECT_EQ(on_disk.images[2].keep(), Keep::on_disk);
+  EXPECT_EQ(on_disk.images, in_memory.images);
+  EXPECT_EQ(on_disk.saturated, in_memory.saturated);
+  const Photographs copy = copy_of(on_disk);
+  EXPECT_EQ(copy.images[2].keep(), Keep::on_disk);
+  EXPECT_EQ(copy.images, in_memory.images);
+  EXPECT_EQ(linearized(on_disk).images, linearized(in_memory).images);
+  EXPECT_TRUE(is_linearized(linearized(on_disk)));
+  EXPECT_FALSE(is_linearized(on_disk));
+}
+
 }  // namespace
 }  // namespace hada

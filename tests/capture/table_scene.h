@@ -96,6 +96,16 @@ inline Photographs table_scene(std::vector<TableSphere> spheres) {
   return photographs_of(photograph(waved_sheet(24.0), table_rig(std::move(spheres))));
 }
 
+inline void put_on_disk(Photographs& photographs) {
+  for (Image& image : photographs.images) {
+    for (auto& plane : image.planes) {
+      Grid<float> on_disk(plane.rows(), plane.cols(), 0.0f, Keep::on_disk);
+      std::copy(plane.begin(), plane.end(), on_disk.begin());
+      plane = std::move(on_disk);
+    }
+  }
+}
+
 inline double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::acos(std::min(1.0, a.normalized().dot(b.normalized()))) / degree;
 }

@@ -336,5 +336,28 @@ TEST(SolveNormals, FollowNearLightsToTheHeightOfThePoints) {
   EXPECT_GT(turn(nullptr), 0.01);  // 3.5 of 60 units off: some 0.05
 }
 
+TEST(SolveNormals, FindTheSameBytesInPicturesOnDisk) {
+  // More rows than a band.
+  const LightStack in_memory =
+      pictures_of(waves(150, 90), ring_of_lights(8), {.noise = 0.01, .seed = 3});
+  LightStack on_disk = in_memory;
+  for (std::size_t k = 0; k < on_disk.images.size(); ++k) {
+    Grid<float> plane(150, 90, 0.0f, Keep::on_disk);
+    const auto& original = in_memory.images[k].planes[0];
+    std::copy(original.begin(), original.end(), plane.begin());
+    on_disk.images[k].planes[0] = std::move(plane);
+    on_disk.samples[k] = Grid<Sample>(150, 90, Sample::lit, Keep::on_disk);
+  }
+  for (const Estimator estimator :
+       {Estimator::least_squares, Estimator::adaptive, Estimator::robust_pca}) {
+    const Orientation expected = solve_normals(in_memory, {.estimator = estimator});
+    const Orientation found = solve_normals(on_disk, {.estimator = estimator});
+    EXPECT_EQ(found.normals, expected.normals);
+    EXPECT_EQ(found.albedo, expected.albedo);
+    EXPECT_EQ(found.normal_sigma, expected.normal_sigma);
+    EXPECT_EQ(found.mask, expected.mask);
+  }
+}
+
 }  // namespace
 }  // namespace hada
