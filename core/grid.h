@@ -4,8 +4,11 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
+
+#include "core/memory.h"
 
 namespace hada {
 
@@ -14,8 +17,9 @@ template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(int rows, int cols, const T& value = T{})
-      : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), value) {
+  /// where  absent: on the heap; else see `Memory`
+  Grid(int rows, int cols, const T& value = T{}, std::pmr::memory_resource* where = nullptr)
+      : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), value, where) {
     assert(rows >= 0 && cols >= 0);
   }
 
@@ -23,6 +27,8 @@ class Grid {
   int cols() const { return cols_; }
   std::size_t size() const { return values_.size(); }
   bool empty() const { return values_.empty(); }
+  /// Where the values lie, for others that belong to them.
+  std::pmr::memory_resource* memory() const { return values_.get_allocator().resource; }
   bool contains(int row, int col) const {
     return row >= 0 && row < rows_ && col >= 0 && col < cols_;
   }
@@ -60,7 +66,7 @@ class Grid {
  private:
   int rows_ = 0;
   int cols_ = 0;
-  std::vector<T> values_;
+  std::vector<T, Memory<T>> values_;
 };
 
 /// 1 where a pixel counts, 0 where it has no meaning and must not be read.
@@ -72,7 +78,8 @@ template <class T>
 Grid<T> crop(const Grid<T>& grid, int row, int col, int rows, int cols) {
   if (grid.empty()) return grid;
   assert(row >= 0 && col >= 0 && row + rows <= grid.rows() && col + cols <= grid.cols());
-  Grid<T> part(rows, cols, grid[0]);  // any value: a vector of Eigen has no default one
+  // Any value: a vector of Eigen has no default one.
+  Grid<T> part(rows, cols, grid[0], grid.memory());
   for (int r = 0; r < rows; ++r) {
     const auto source = grid.row(row + r).subspan(std::size_t(col), std::size_t(cols));
     std::copy(source.begin(), source.end(), part.row(r).begin());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "reconstruct/extra_edges.h"
 #include "reconstruct/level_rows.h"
 #include "reconstruct/split_blocks.h"
 
@@ -65,7 +66,7 @@ struct JoinedRow {
 }  // namespace
 
 PixelLevel coarsened(PixelLevel& fine, float least_strength) {
-  PixelLevel coarse;
+  PixelLevel coarse(fine.memory());
   const Dealt& at = coarse.at = Dealt((fine.at.rows + 1) / 2, fine.at.half);
   for (auto* array : {&coarse.east, &coarse.south, &coarse.reach_across, &coarse.reach_along}) {
     array->assign(at.size(), 0.0f);

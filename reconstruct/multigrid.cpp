@@ -141,7 +141,7 @@ double Multigrid::coarse_size() const {
   return std::sqrt(4.0 * dot(coarse.at, coarse.value, coarse.value) / cells_);
 }
 
-Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
+Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const CycleDone& done) {
   PixelLevel& level = levels_.front();
   Solution solution;
   if (levels_.size() == 1) {
@@ -150,9 +150,9 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
     return solution;
   }
   const System system = system_of(level);
-  solution.value.assign(level.value.size(), 0.0f);
+  solution.value = Floats(level.value.size(), 0.0f, level.memory());
   if (!level.unit()) {
-    conjugate_steps(tolerance, max_cycles, solution);
+    conjugate_steps(tolerance, max_cycles, done, solution);
     return solution;
   }
   restrict_right(level, levels_[1]);
@@ -175,7 +175,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
     }
     if (end || slowly) {
       run(0, stages);
-      if (!end) conjugate_steps(tolerance, max_cycles, solution);
+      if (!end) conjugate_steps(tolerance, max_cycles, done, solution);
       return solution;
     }
     add_sweeps(system, sweeps_down, renew, stages);
@@ -188,12 +188,14 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
     rate = last > 0.0 ? std::min(size / last, 0.9) : 0.9;
     last = size;
     solution.error = size * rate / (1.0 - rate);  // what all further cycles would add
+    if (done) done(solution.cycles, solution.error);
   }
 }
 
 // Flexible conjugate gradients: every cycle gives a direction, which is made independent of the
 // last ones as far as the energy goes, and of which the best multiple is taken.
-void Multigrid::conjugate_steps(double tolerance, int max_cycles, Solution& solution) {
+void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDone& done,
+                                Solution& solution) {
   struct Direction {
     Floats step;
     Floats image;  // A step
@@ -232,6 +234,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, Solution& solu
         std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
     solution.error = 2.0 * std::max(size, last);  // steps do not shrink evenly
     last = size;
+    if (done) done(solution.cycles, solution.error);
     if (solution.error < tolerance) return;
     if (directions.size() == remembered) directions.erase(directions.begin());
     directions.push_back(std::move(direction));

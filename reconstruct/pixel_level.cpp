@@ -6,8 +6,8 @@
 namespace hada {
 
 EdgeWeights edge_weights(const Grid<float>& weight) {
-  EdgeWeights edges{Grid<float>(weight.rows(), weight.cols()),
-                    Grid<float>(weight.rows(), weight.cols())};
+  const Grid<float> none(weight.rows(), weight.cols(), 0.0f, weight.memory());
+  EdgeWeights edges{none, none};
   const auto both = [](float a, float b) { return 2.0f / (1.0f / a + 1.0f / b); };
   for_each_index(weight.rows(), [&](int row) {
     for (int col = 0; col < weight.cols(); ++col) {
@@ -20,7 +20,7 @@ EdgeWeights edge_weights(const Grid<float>& weight) {
 }
 
 PixelLevel PixelLevel::of(const Mask& mask) {
-  PixelLevel level;
+  PixelLevel level(mask.memory());
   level.at = Dealt(mask.rows(), mask.cols());
   level.code.assign(level.at.size(), 0);
   const int rows = mask.rows();
@@ -44,7 +44,7 @@ PixelLevel PixelLevel::of(const Mask& mask) {
 }
 
 PixelLevel PixelLevel::of(const Mask& mask, const EdgeWeights& weights) {
-  PixelLevel level;
+  PixelLevel level(mask.memory());
   const Dealt& at = level.at = Dealt(mask.rows(), mask.cols());
   level.east.assign(at.size(), 0.0f);
   level.south.assign(at.size(), 0.0f);
