@@ -17,6 +17,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "io/disk_memory.h"
+#include "reconstruct/integrate.h"
 
 namespace hada {
 namespace {
@@ -218,6 +219,7 @@ SolverRun timed(const std::string& solver, const IntegrationScene& scene,
 }
 
 SolverRun run_ours(const IntegrationScene& scene, int repeats, int threads) {
+  const IntegrateOptions options;
   std::vector<double> seconds;
   SolverRun run{threads == 1 ? "hada" : "hada, " + std::to_string(threads) + " threads",
                 scene.mask.rows()};
@@ -228,7 +230,8 @@ SolverRun run_ours(const IntegrationScene& scene, int repeats, int threads) {
     const double before = peak_megabytes();
     const double begin = now();
     SlopeSolver solver(scene.mask);
-    const Grid<float> height = solver.height(scene.slopes, 1e-5, 100);
+    const Grid<float> height =
+        solver.height(scene.slopes, options.tolerance_px, options.max_cycles);
     seconds.push_back(now() - begin);
     run.megabytes = std::max(run.megabytes, peak_megabytes() - before);
     run.cycles = solver.cycles();
@@ -247,7 +250,8 @@ SolverRun run_on_disk(MaskKind kind, int size, const std::filesystem::path& fold
   MostAnonymous most;
   const double begin = wall_seconds();
   SlopeSolver solver(scene.mask);
-  const Grid<float> height = solver.height(scene.slopes, 1e-5, 100);
+  const IntegrateOptions options;
+  const Grid<float> height = solver.height(scene.slopes, options.tolerance_px, options.max_cycles);
   run.seconds = wall_seconds() - begin;
   run.megabytes = most.megabytes();
   run.cycles = solver.cycles();

@@ -11,7 +11,9 @@
 namespace hada {
 
 struct IntegrateOptions {
-  double tolerance_px = 1e-5;  // root mean square error of the height, where the solver stops
+  /// Root mean square error of the height, where the solver stops. Half of what is promised, 1e-4,
+  /// because the error is an estimate.
+  double tolerance_px = 5e-5;
   int max_cycles = 100;
   Grid<float> weight{};  // of a pixel, > 0: 1 over its variance; empty: all count alike
   CycleDone done{};      // is told of every cycle of the solver

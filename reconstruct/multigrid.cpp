@@ -23,6 +23,8 @@ constexpr int sweeps_down = 2;
 constexpr int sweeps_up = 1;
 constexpr int renew_every = 2;  // cycles between two residuals formed anew
 constexpr double slow = 0.4;    // rate of cycles above which conjugate gradients pay
+// Where cycles are slow, and with weights, what is left is seen less well.
+constexpr double careful_tolerance = 1e-5;
 
 System system_of(PixelLevel& level) {
   return {level, level.value.data(), level.right.data()};
@@ -152,7 +154,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   const System system = system_of(level);
   solution.value = Floats(level.value.size(), 0.0f, level.memory());
   if (!level.unit()) {
-    conjugate_steps(tolerance, max_cycles, done, solution);
+    conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);
     return solution;
   }
   restrict_right(level, levels_[1]);
@@ -175,7 +177,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     }
     if (end || slowly) {
       run(0, stages);
-      if (!end) conjugate_steps(tolerance, max_cycles, done, solution);
+      if (!end) conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);
       return solution;
     }
     add_sweeps(system, sweeps_down, renew, stages);
