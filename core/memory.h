@@ -5,7 +5,6 @@
 #include <memory_resource>
 #include <new>
 #include <type_traits>
-#include <vector>
 
 #include <sys/mman.h>
 
@@ -54,7 +53,5 @@ struct Memory {
   }
   bool operator==(const Memory& other) const { return resource == other.resource; }
 };
-
-using Floats = std::vector<float, Memory<float>>;
 
 }  // namespace hada

@@ -56,7 +56,7 @@ void add_extra_edges(PixelLevel& coarse) {
       *reach = *reach > 0.0f ? 0.5f / *reach : 0.0f;
     }
   }
-  Floats added(coarse.extras.empty() ? 0 : coarse.nodes(), 0.0f, coarse.memory());
+  Cells added(coarse.extras.empty() ? 0 : coarse.nodes(), 0.0f, coarse.memory());
   for (std::size_t i = 0; i < coarse.extras.size(); ++i) {
     const auto& extra = coarse.extras[i];
     const auto node = PixelLevel::Node(coarse.at.size() + i);

@@ -30,7 +30,7 @@ class Multigrid {
 
   const PixelLevel& finest() const { return levels_.front(); }
   /// Set before `solve`, laid out as the finest level; `solve` leaves a residual in it.
-  Floats& right() { return levels_.front().right; }
+  Cells& right() { return levels_.front().right; }
 
   /// The right-hand side consists of multiples of `step`: the residual is then kept without
   /// rounding. Returns 3 * 2^22 step, which rounds to these multiples when it is added and taken
@@ -38,7 +38,7 @@ class Multigrid {
   float set_step(float step) { return magic_ = 3.0f * 0x1p22f * step; }
 
   struct Solution {
-    Floats value;  // laid out as the finest level, up to a constant in each region
+    Cells value;  // laid out as the finest level, up to a constant in each region
     int cycles = 0;
     double error = 0.0;  // estimate, root mean square over the cells with edges
   };

@@ -24,7 +24,7 @@ EdgeWeights edge_weights(const Grid<float>& weight) {
 PixelLevel PixelLevel::of(const Mask& mask) {
   PixelLevel level(mask.memory());
   level.at = Dealt(mask.rows(), mask.cols());
-  level.code.assign(level.at.size(), 0);
+  level.code = decltype(level.code)(level.at.size(), level.memory());
   const Dealt& at = level.at;
   const std::vector<std::uint8_t> outside(std::size_t(at.cols), 0);
   for_slices(at.rows, [&](int begin, int end) {
@@ -45,9 +45,9 @@ PixelLevel PixelLevel::of(const Mask& mask) {
 PixelLevel PixelLevel::of(const Mask& mask, const EdgeWeights& weights) {
   PixelLevel level(mask.memory());
   const Dealt& at = level.at = Dealt(mask.rows(), mask.cols());
-  level.east.assign(at.size(), 0.0f);
-  level.south.assign(at.size(), 0.0f);
-  level.inverse.assign(at.size(), 0.0f);
+  for (auto* array : {&level.east, &level.south, &level.inverse}) {
+    *array = Cells(at.size(), level.memory());
+  }
   for_each_index(at.rows, [&](int row) {
     for (int col = 0; col < at.cols; ++col) {
       if (!mask(row, col)) continue;

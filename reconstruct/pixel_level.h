@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/grid.h"
-#include "core/memory.h"
 #include "reconstruct/dealt.h"
+#include "reconstruct/zeroed.h"
 
 namespace hada {
 
@@ -43,15 +43,15 @@ struct PixelLevel {
   std::pmr::memory_resource* memory() const { return value.get_allocator().resource; }
 
   Dealt at;
-  Floats value;
-  Floats right;  // right-hand side; sums to 0 in every region
+  Cells value;
+  Cells right;  // right-hand side; sums to 0 in every region
 
   // The finest level of a plain mask: a byte for each pixel, see row_kernels.h, and nothing else.
-  std::vector<std::uint8_t, Memory<std::uint8_t>> code;
+  std::vector<std::uint8_t, Zeroed<std::uint8_t>> code;
   // All others: the weight of the edge to the right and below, 1 over the sum of all at a cell, and
   // the reach of a cell along rows and columns, 1 / (2 sum of the edges that join its two halves).
-  Floats east, south, inverse;
-  Floats reach_across, reach_along;
+  Cells east, south, inverse;
+  Cells reach_across, reach_along;
 
   struct Edge {
     Node to;

@@ -112,7 +112,7 @@ void SlopeSolver::set_weighted_right(const EdgeRises& rises, const Grid<double>&
 }
 
 // Laid out as a grid, without the mean of every region.
-Grid<float> SlopeSolver::levelled(const Floats& value) const {
+Grid<float> SlopeSolver::levelled(const Cells& value) const {
   const Dealt& at = multigrid_.finest().at;
   Grid<float> height(at.rows, at.cols, 0.0f, mask_.memory());
   std::vector<double> sums(regions_.runs.size());

@@ -46,7 +46,7 @@ class SlopeSolver {
  private:
   void set_right(const SlopeMap& slopes);
   void set_weighted_right(const EdgeRises& rises, const Grid<double>& height);
-  Grid<float> levelled(const Floats& value) const;
+  Grid<float> levelled(const Cells& value) const;
 
   const Mask& mask_;
   std::optional<EdgeWeights> weights_;
