@@ -180,6 +180,11 @@ void add_measuring(Commands& commands) {
             .add_option("--levelling", a.levelling,
                         "what to take off the height: offset (default), plane or quadratic")
             ->check(CLI::IsMember({"offset", "plane", "quadratic"}));
+        command
+            .add_option("--memory", a.memory,
+                        "where maps lie meanwhile: ram, disk (nameless files in the folder "
+                        "to write), or automatic (default): on the disk from 64 million pixels on")
+            ->check(CLI::IsMember({"ram", "disk", "automatic"}));
         add_out(command, a, "surface folder to write")->required();
       });
   commands.add("measure", "Describe a surface: spectrum, rings, sectors, roughness",

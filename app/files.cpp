@@ -1,5 +1,6 @@
 #include "app/files.h"
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -8,6 +9,11 @@
 #include "io/image_file.h"
 
 namespace hada {
+namespace {
+
+constexpr int longest_preview = 8192;  // px: browsers show pictures up to here
+
+}  // namespace
 
 void put_text(Output& output, const std::string& name, const std::string& text) {
   const auto path = output.file(name);
@@ -25,6 +31,12 @@ void put_picture(Output& output, const std::string& name, const Image& picture) 
 }
 
 void put_previews(Output& output, const std::string& folder, const Surface& surface) {
+  if (std::max(surface.extent.rows, surface.extent.cols) > longest_preview) {
+    if (!surface.albedo.empty()) {
+      put_picture(output, folder + "albedo.png", shrunk(albedo_picture(surface), longest_preview));
+    }
+    return put_previews(output, folder, shrunk(surface, longest_preview));
+  }
   if (surface.has_height()) {
     put_picture(output, folder + "height.png", relief_picture(surface, relief_style(surface)));
   }

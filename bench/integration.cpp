@@ -1,8 +1,10 @@
 // hada_bench_integration [largest size]: integration side by side with solvers that others wrote,
 // those whose libraries were found. Times are of the processor, on one thread, and of this run
 // alone.
+// hada_bench_integration disk size folder: one integration with all maps in files in the folder.
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "bench/integration_study.h"
 
@@ -24,6 +26,12 @@ void print(const hada::SolverRun& run, const hada::SolverRun& ours, double pass)
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 3 && std::string(argv[1]) == "disk") {
+    const double pass = hada::one_pass_seconds(4096);
+    const auto run = hada::run_on_disk(hada::MaskKind::irregular, std::atoi(argv[2]), argv[3]);
+    print(run, run, pass * run.size / 4096.0 * run.size / 4096.0);
+    return 0;
+  }
   const int largest = argc > 1 ? std::atoi(argv[1]) : 4096;
   for (int size = 1024; size <= largest; size *= 2) {
     const double pass = hada::one_pass_seconds(size);
@@ -36,6 +44,7 @@ int main(int argc, char** argv) {
                           : kind == hada::MaskKind::slits ? "slits"
                                                           : "irregular mask");
       print(ours, ours, pass);
+      print(hada::run_ours(scene, 5, 2), ours, pass);
       if (kind == hada::MaskKind::full) {
         for (const auto& run : hada::run_peers(scene)) print(run, ours, pass);
       } else if (kind == hada::MaskKind::irregular && size <= 1024) {

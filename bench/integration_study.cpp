@@ -1,11 +1,14 @@
 #include "bench/integration_study.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <fstream>
 #include <numbers>
 #include <numeric>
+#include <thread>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -13,6 +16,8 @@
 #include "bench/integration_peers.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "io/disk_memory.h"
+#include "reconstruct/integrate.h"
 
 namespace hada {
 namespace {
@@ -23,14 +28,48 @@ double processor_seconds() {
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// The most resident memory so far since `forget_peak`, in MB.
-double peak_megabytes() {
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double status_megabytes(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     double kilobytes = 0.0;
-    if (word == "VmHWM:" && status >> kilobytes) return kilobytes / 1024.0;
+    if (word == name && status >> kilobytes) return kilobytes / 1024.0;
   }
   return 0.0;
+}
+
+// Watches the memory that belongs to no file, twenty times a second.
+class MostAnonymous {
+ public:
+  MostAnonymous()
+      : watch_([this] {
+          while (!end_) {
+            most_ = std::max(most_, status_megabytes("RssAnon:"));
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          }
+        }) {}
+  ~MostAnonymous() { stop(); }
+  double megabytes() {
+    stop();
+    return most_;
+  }
+
+ private:
+  void stop() {
+    end_ = true;
+    if (watch_.joinable()) watch_.join();
+  }
+  double most_ = 0.0;
+  std::atomic<bool> end_ = false;
+  std::thread watch_;
+};
+
+// The most resident memory so far since `forget_peak`, in MB.
+double peak_megabytes() {
+  return status_megabytes("VmHWM:");
 }
 
 void forget_peak() {
@@ -79,9 +118,10 @@ double height_at(double row, double col, int size) {
 
 }  // namespace
 
-IntegrationScene integration_scene(MaskKind kind, int size) {
-  IntegrationScene scene{Mask(size, size), SlopeMap(size, size, Eigen::Vector2f::Zero()),
-                         Grid<double>(size, size)};
+IntegrationScene integration_scene(MaskKind kind, int size, std::pmr::memory_resource* where) {
+  IntegrationScene scene{Mask(size, size, 0, where),
+                         SlopeMap(size, size, Eigen::Vector2f::Zero(), where),
+                         Grid<double>(size, size, 0.0, where)};
   for_each_index(size, [&](int row) {
     double slope = height_at(row, 0.5, size) - height_at(row, -0.5, size);
     for (int col = 0; col < size; ++col) {
@@ -91,11 +131,18 @@ IntegrationScene integration_scene(MaskKind kind, int size) {
       slope = 2.0 * (height_at(row, col + 1, size) - scene.height(row, col)) - slope;
     }
   });
-  for_each_index(size, [&](int col) {
-    double slope = height_at(-0.5, col, size) - height_at(0.5, col, size);
+  std::vector<double> slope(std::size_t(size), 0.0);
+  for_slices(size, [&](int begin, int end) {
+    for (int col = begin; col < end; ++col) {
+      slope[std::size_t(col)] = height_at(-0.5, col, size) - height_at(0.5, col, size);
+    }
     for (int row = 0; row < size; ++row) {
-      scene.slopes(row, col).y() = float(slope);
-      slope = 2.0 * (scene.height(row, col) - height_at(row + 1, col, size)) - slope;
+      for (int col = begin; col < end; ++col) {
+        double& here = slope[std::size_t(col)];
+        scene.slopes(row, col).y() = float(here);
+        const double below = row + 1 < size ? scene.height(row + 1, col) : 0.0;
+        here = 2.0 * (scene.height(row, col) - below) - here;
+      }
     }
   });
   if (kind == MaskKind::irregular) cut_holes(scene.mask);
@@ -171,17 +218,21 @@ SolverRun timed(const std::string& solver, const IntegrationScene& scene,
   return {solver, scene.mask.rows(), seconds, error_px(scene, result)};
 }
 
-SolverRun run_ours(const IntegrationScene& scene, int repeats) {
+SolverRun run_ours(const IntegrationScene& scene, int repeats, int threads) {
+  const IntegrateOptions options;
   std::vector<double> seconds;
-  SolverRun run{"hada", scene.mask.rows()};
-  set_threads(1);
+  SolverRun run{threads == 1 ? "hada" : "hada, " + std::to_string(threads) + " threads",
+                scene.mask.rows()};
+  const auto now = [&] { return threads == 1 ? processor_seconds() : wall_seconds(); };
+  set_threads(threads);
   for (int i = 0; i < repeats; ++i) {
     forget_peak();
     const double before = peak_megabytes();
-    const double begin = processor_seconds();
+    const double begin = now();
     SlopeSolver solver(scene.mask);
-    const Grid<float> height = solver.height(scene.slopes, 1e-5, 100);
-    seconds.push_back(processor_seconds() - begin);
+    const Grid<float> height =
+        solver.height(scene.slopes, options.tolerance_px, options.max_cycles);
+    seconds.push_back(now() - begin);
     run.megabytes = std::max(run.megabytes, peak_megabytes() - before);
     run.cycles = solver.cycles();
     if (i == 0) run.error_px = error_px(scene, height);
@@ -189,6 +240,22 @@ SolverRun run_ours(const IntegrationScene& scene, int repeats) {
   set_threads(0);
   std::sort(seconds.begin(), seconds.end());
   run.seconds = seconds[seconds.size() / 2];
+  return run;
+}
+
+SolverRun run_on_disk(MaskKind kind, int size, const std::filesystem::path& folder) {
+  DiskMemory disk(folder);
+  const IntegrationScene scene = integration_scene(kind, size, &disk);
+  SolverRun run{"hada, on the disk", size};
+  MostAnonymous most;
+  const double begin = wall_seconds();
+  SlopeSolver solver(scene.mask);
+  const IntegrateOptions options;
+  const Grid<float> height = solver.height(scene.slopes, options.tolerance_px, options.max_cycles);
+  run.seconds = wall_seconds() - begin;
+  run.megabytes = most.megabytes();
+  run.cycles = solver.cycles();
+  run.error_px = error_px(scene, height);
   return run;
 }
 

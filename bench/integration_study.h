@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <memory_resource>
 #include <string>
 #include <vector>
 
@@ -20,19 +22,27 @@ enum class MaskKind { full, irregular, slits };
 
 /// full: a square. irregular: a lobed outline, 60 holes, single pixels missing, about 80 % are
 /// left. slits: walls 2 px wide, open at the top and the bottom in turn.
-IntegrationScene integration_scene(MaskKind kind, int size);
+///
+/// where  the maps lie; absent: on the heap
+IntegrationScene integration_scene(MaskKind kind, int size,
+                                   std::pmr::memory_resource* where = nullptr);
 
 /// How a solver did.
 struct SolverRun {
   std::string solver;
   int size = 0;
-  double seconds = 0.0;   // of the processor, one thread; setup and solution, median of the repeats
-  double error_px = 0.0;  // root mean square, against the known height
+  double seconds = 0.0;    // of the processor on one thread, else on the wall; setup and solution,
+                           // median of the repeats
+  double error_px = 0.0;   // root mean square, against the known height
   double megabytes = 0.0;  // that the process held more than before, at most; 0: not asked
   int cycles = 0;
 };
 
-SolverRun run_ours(const IntegrationScene& scene, int repeats);
+SolverRun run_ours(const IntegrationScene& scene, int repeats, int threads = 1);
+
+/// One height of a scene that lies in files in `folder`, by all threads: wall time, and the most
+/// memory beside the files.
+SolverRun run_on_disk(MaskKind kind, int size, const std::filesystem::path& folder);
 SolverRun run_eigen_cg(const IntegrationScene& scene);
 /// Empty where the library was not there when this was built.
 std::vector<SolverRun> run_peers(const IntegrationScene& scene);

@@ -87,7 +87,7 @@ Levels levels_of(const Photographs& linear, const std::vector<Light>& lights, fl
   levels.mean = Grid<float>(rows, cols);
   levels.samples.resize(count);
   for (auto& samples : levels.samples) {
-    samples = Grid<Sample>(rows, cols, Sample::lit, linear.images.front().keep());
+    samples = Grid<Sample>(rows, cols, Sample::lit, linear.images.front().memory());
     samples.let_go();
   }
   const auto look_at_row = [&](int row) {

@@ -35,8 +35,8 @@ void check_values(const std::string& name, const ImageFile& file) {
   }
 }
 
-Mask saturated_pixels(const ImageFile& file, Keep keep) {
-  Mask saturated(file.image.rows(), file.image.cols(), 0, keep);
+Mask saturated_pixels(const ImageFile& file, std::pmr::memory_resource* memory) {
+  Mask saturated(file.image.rows(), file.image.cols(), 0, memory);
   if (file.floating) return saturated;  // a float file has no largest value
   const float full = 1.0f - 0.5f / float((1 << std::min(file.bits, 16)) - 1);
   for (const auto& plane : file.image.planes) {
@@ -50,11 +50,11 @@ std::size_t bytes_of(const Image& image) {
   return std::size_t(image.channels()) * image.planes.front().size() * sizeof(float);
 }
 
-Image kept(Image image, Keep keep) {
-  if (image.keep() == keep) return image;
+Image kept(Image image, std::pmr::memory_resource* memory) {
+  if (image.memory() == memory) return image;
   Image copy;
   for (Grid<float>& plane : image.planes) {
-    copy.planes.emplace_back(plane.rows(), plane.cols(), 0.0f, keep);
+    copy.planes.emplace_back(plane.rows(), plane.cols(), 0.0f, memory);
     std::copy(plane.begin(), plane.end(), copy.planes.back().begin());
     copy.planes.back().let_go();
     plane = {};
@@ -153,9 +153,10 @@ Photographs load_photographs(const CaptureFile& file, const LoadOptions& options
     }
     photographs.bits = std::min(photographs.bits, read.bits);
     all_deep = all_deep && (read.floating || read.bits > 8);
-    const Keep keep = options.keep.value_or(keep_of_pictures(count * bytes_of(read.image)));
-    photographs.saturated.push_back(saturated_pixels(read, keep));
-    photographs.images.push_back(kept(std::move(read.image), keep));
+    std::pmr::memory_resource* const memory =
+        options.memory.value_or(memory_for_pictures(count * bytes_of(read.image)));
+    photographs.saturated.push_back(saturated_pixels(read, memory));
+    photographs.images.push_back(kept(std::move(read.image), memory));
   }
   const Image& first = photographs.images.front();
   constexpr int smallest_side = 16;  // a sphere and a sample cannot share fewer pixels

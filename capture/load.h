@@ -29,7 +29,7 @@ struct Photographs {
 };
 
 struct LoadOptions {
-  std::optional<Keep> keep;  // none: as many as the pictures are, `keep_of_pictures`
+  std::optional<std::pmr::memory_resource*> memory;  // none: `memory_for_pictures` says
 };
 
 /// Reads every picture that `file` names, one after the other: large ones are kept on disk, so that

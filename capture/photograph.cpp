@@ -62,9 +62,9 @@ LightStack photograph(const Surface& sheet, const Rig& rig) {
   stack.camera.extent = {rig.rows, rig.cols, rig.pitch_mm, Unit::mm};
   stack.lights = rig.lights;
   const std::size_t values = std::size_t(rig.rows) * std::size_t(rig.cols) * std::size_t(channels);
-  const Keep keep = keep_of_pictures(pictures * values * sizeof(float));
-  stack.images.assign(pictures, Image(rig.rows, rig.cols, channels, keep));
-  stack.samples.assign(pictures, Grid<Sample>(rig.rows, rig.cols, Sample::lit, keep));
+  std::pmr::memory_resource* const memory = memory_for_pictures(pictures * values * sizeof(float));
+  stack.images.assign(pictures, Image(rig.rows, rig.cols, channels, memory));
+  stack.samples.assign(pictures, Grid<Sample>(rig.rows, rig.cols, Sample::lit, memory));
   stack.mask = Mask(rig.rows, rig.cols);
 
   const auto take_pixel = [&](int row, int col) {

@@ -4,10 +4,12 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
-#include "core/keep.h"
+#include "core/memory.h"
+#include "core/scratch_files.h"
 
 namespace hada {
 
@@ -16,10 +18,9 @@ template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(int rows, int cols, const T& value = T{}, Keep keep = Keep::in_memory)
-      : rows_(rows),
-        cols_(cols),
-        values_(std::size_t(rows) * std::size_t(cols), value, KeepAllocator<T>(keep)) {
+  /// where  absent: on the heap; else see `Memory`
+  Grid(int rows, int cols, const T& value = T{}, std::pmr::memory_resource* where = nullptr)
+      : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), value, where) {
     assert(rows >= 0 && cols >= 0);
   }
 
@@ -27,6 +28,8 @@ class Grid {
   int cols() const { return cols_; }
   std::size_t size() const { return values_.size(); }
   bool empty() const { return values_.empty(); }
+  /// Where the values lie, for others that belong to them.
+  std::pmr::memory_resource* memory() const { return values_.get_allocator().resource; }
   bool contains(int row, int col) const {
     return row >= 0 && row < rows_ && col >= 0 && col < cols_;
   }
@@ -53,16 +56,11 @@ class Grid {
     return {values_.data() + std::size_t(row) * std::size_t(cols_), std::size_t(cols_)};
   }
 
-  /// A copy is kept where its original is; a crop is in memory.
-  Keep keep() const { return values_.get_allocator().keep; }
-
-  /// Of a grid on disk: the rows [begin, end) have been read or written and may leave the memory
-  /// until they are wanted again. Nothing is lost, and nothing done for a grid in memory.
+  /// Of a grid in `scratch_files()`: the rows [begin, end) have been read or written and may leave
+  /// the memory until they are wanted again. Nothing is lost, and nothing done for other grids.
   void let_go(int begin, int end) const {
-    if (keep() == Keep::on_disk) {
-      let_go_of_memory(row(begin).data(),
-                       std::size_t(end - begin) * std::size_t(cols_) * sizeof(T));
-    }
+    if (memory() != scratch_files()) return;
+    let_go_of_memory(row(begin).data(), std::size_t(end - begin) * std::size_t(cols_) * sizeof(T));
   }
   void let_go() const { let_go(0, rows_); }
 
@@ -78,7 +76,7 @@ class Grid {
  private:
   int rows_ = 0;
   int cols_ = 0;
-  std::vector<T, KeepAllocator<T>> values_;
+  std::vector<T, Memory<T>> values_;
 };
 
 /// 1 where a pixel counts, 0 where it has no meaning and must not be read.
@@ -90,7 +88,8 @@ template <class T>
 Grid<T> crop(const Grid<T>& grid, int row, int col, int rows, int cols) {
   if (grid.empty()) return grid;
   assert(row >= 0 && col >= 0 && row + rows <= grid.rows() && col + cols <= grid.cols());
-  Grid<T> part(rows, cols, grid[0]);  // any value: a vector of Eigen has no default one
+  // Any value: a vector of Eigen has no default one.
+  Grid<T> part(rows, cols, grid[0], grid.memory());
   for (int r = 0; r < rows; ++r) {
     const auto source = grid.row(row + r).subspan(std::size_t(col), std::size_t(cols));
     std::copy(source.begin(), source.end(), part.row(r).begin());

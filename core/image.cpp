@@ -20,7 +20,7 @@ void luminance(const Image& image, int row, std::span<float> grey) {
 }
 
 Grid<float> luminance(const Image& image) {
-  Grid<float> grey(image.rows(), image.cols(), 0.0f, image.keep());
+  Grid<float> grey(image.rows(), image.cols(), 0.0f, image.memory());
   for_each_band(0, image.rows(), [&](int begin, int end) {
     for (int row = begin; row < end; ++row) luminance(image, row, grey.row(row));
     image.let_go(begin, end);

@@ -14,8 +14,8 @@ struct Image {
   std::vector<Grid<float>> planes;
 
   Image() = default;
-  Image(int rows, int cols, int channels, Keep keep = Keep::in_memory) {
-    for (int c = 0; c < channels; ++c) planes.emplace_back(rows, cols, 0.0f, keep);
+  Image(int rows, int cols, int channels, std::pmr::memory_resource* memory = nullptr) {
+    for (int c = 0; c < channels; ++c) planes.emplace_back(rows, cols, 0.0f, memory);
   }
   explicit Image(Grid<float> grey) { planes.push_back(std::move(grey)); }
 
@@ -24,7 +24,9 @@ struct Image {
   int channels() const { return int(planes.size()); }
   bool empty() const { return planes.empty(); }
 
-  Keep keep() const { return planes.empty() ? Keep::in_memory : planes.front().keep(); }
+  std::pmr::memory_resource* memory() const {
+    return planes.empty() ? nullptr : planes.front().memory();
+  }
   /// See Grid.
   void let_go(int begin, int end) const {
     for (const auto& plane : planes) plane.let_go(begin, end);

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <exception>
+#include <string_view>
 #include <system_error>
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -44,22 +47,31 @@ const ImageModule& image_module() {
   return module;
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-void write(const fs::path& path, const Image& image, ImageModule::Storage storage) {
-  if (image.rows() == 0 || image.cols() == 0) {
-    throw Error(path.string() + ": a picture without pixels cannot be written");
+// The bytes of a file, read as they are asked for.
+class MappedFile {
+ public:
+  explicit MappedFile(const fs::path& path) {
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return;
+    std::error_code ignored;
+    const auto size = fs::file_size(path, ignored);
+    void* const bytes = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+    close(file);
+    if (bytes != MAP_FAILED) bytes_ = {static_cast<const char*>(bytes), size};
   }
-  const auto problem = image_module().write(path.string(), threads(), image, storage, nullptr);
-  if (!problem.empty()) throw Error(path.string() + ": " + problem);
-}
+  ~MappedFile() {
+    if (!bytes_.empty()) munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+  }
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
 
-}  // namespace
+  std::string_view bytes() const { return bytes_; }
 
-ImageFile read_image(const fs::path& path) {
+ private:
+  std::string_view bytes_;
+};
+
+void require_picture_file(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw Error(path.string() + ": no such file; check the name");
   if (fs::is_directory(path, ignored)) {
@@ -71,12 +83,74 @@ ImageFile read_image(const fs::path& path) {
   if (fs::file_size(path, ignored) == 0) {
     throw Error(path.string() + ": is empty; copy or export it again");
   }
-  if (!is_whole(bytes_of(path))) {
+  if (!is_whole(MappedFile(path).bytes())) {
     throw Error(path.string() + ": is damaged or not complete; copy or export it again");
   }
-  ImageFile file;
-  const auto problem = image_module().read(path.string(), threads(), file);
+}
+
+PictureShape shape_of(const Image& image) {
+  return {.rows = image.rows(), .cols = image.cols(), .channels = image.channels()};
+}
+
+RowSource rows_of(const Image& image) {
+  return [&image](int row, float* pixels) {
+    for (int col = 0; col < image.cols(); ++col) {
+      for (const auto& plane : image.planes) *pixels++ = plane(row, col);
+    }
+  };
+}
+
+void write(const fs::path& path, const PictureShape& shape, ImageModule::Storage storage,
+           const RowSource& row) {
+  if (shape.rows == 0 || shape.cols == 0) {
+    throw Error(path.string() + ": a picture without pixels cannot be written");
+  }
+  const auto problem = image_module().write(path.string(), threads(), shape, storage, row, nullptr);
   if (!problem.empty()) throw Error(path.string() + ": " + problem);
+}
+
+ImageModule::Storage integers_of(int bits) {
+  return bits == 8 ? ImageModule::Storage::bits8 : ImageModule::Storage::bits16;
+}
+
+}  // namespace
+
+void read_rows(const fs::path& path, const RowReader& reader) {
+  require_picture_file(path);
+  std::exception_ptr thrown;  // by the reader: none may cross the module
+  bool goes_on = true;
+  const auto guarded = [&](const auto& work) {
+    try {
+      if (goes_on) work();
+    } catch (...) {
+      thrown = std::current_exception();
+      goes_on = false;
+    }
+  };
+  const RowReader safe{
+      [&](const PictureShape& shape) {
+        guarded([&] { goes_on = reader.begin(shape); });
+        return goes_on;
+      },
+      [&](int row, const float* pixels) { guarded([&] { reader.row(row, pixels); }); }};
+  const auto problem = image_module().read(path.string(), threads(), safe);
+  if (thrown) std::rethrow_exception(thrown);
+  if (!problem.empty()) throw Error(path.string() + ": " + problem);
+}
+
+ImageFile read_image(const fs::path& path) {
+  ImageFile file;
+  read_rows(path, {[&](const PictureShape& shape) {
+                     file.image = Image(shape.rows, shape.cols, shape.channels);
+                     file.bits = shape.bits;
+                     file.floating = shape.floating;
+                     return true;
+                   },
+                   [&](int row, const float* pixels) {
+                     for (int col = 0; col < file.image.cols(); ++col) {
+                       for (auto& plane : file.image.planes) plane(row, col) = *pixels++;
+                     }
+                   }});
   return file;
 }
 
@@ -92,17 +166,26 @@ bool has_image_name(const fs::path& path) {
 }
 
 void write_exr(const fs::path& path, const Image& image) {
-  write(path, image, ImageModule::Storage::float32);
+  write_exr_rows(path, shape_of(image), rows_of(image));
+}
+
+void write_exr_rows(const fs::path& path, const PictureShape& shape, const RowSource& row) {
+  write(path, shape, ImageModule::Storage::float32, row);
 }
 
 void write_integer_image(const fs::path& path, const Image& image, int bits) {
-  write(path, image, bits == 8 ? ImageModule::Storage::bits8 : ImageModule::Storage::bits16);
+  write_integer_rows(path, shape_of(image), bits, rows_of(image));
+}
+
+void write_integer_rows(const fs::path& path, const PictureShape& shape, int bits,
+                        const RowSource& row) {
+  write(path, shape, integers_of(bits), row);
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
   std::vector<std::uint8_t> bytes;
-  const auto problem =
-      image_module().write("memory.png", threads(), image, ImageModule::Storage::bits8, &bytes);
+  const auto problem = image_module().write("memory.png", threads(), shape_of(image),
+                                            ImageModule::Storage::bits8, rows_of(image), &bytes);
   if (!problem.empty()) throw Error("memory.png: " + problem);
   return bytes;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,29 @@ struct ImageFile {
   bool floating = false;  // half or float
 };
 
+/// What a file says of its picture.
+struct PictureShape {
+  int rows = 0;
+  int cols = 0;
+  int channels = 1;  // one or three
+  int bits = 8;      // of one value
+  bool floating = false;
+};
+
+/// What becomes of a picture that is read row by row, from the top; values as in `ImageFile`, those
+/// of a pixel side by side.
+struct RowReader {
+  std::function<bool(const PictureShape& shape)> begin;  // whether to go on
+  std::function<void(int row, const float* pixels)> row;
+};
+
+/// Gives row `row` of a picture that is written from the top, the values of a pixel side by side.
+using RowSource = std::function<void(int row, float* pixels)>;
+
+/// Reads a picture that need not fit into memory.
+/// throws  what `read_image` does, and what `reader` throws
+void read_rows(const std::filesystem::path& path, const RowReader& reader);
+
 /// throws  Error if the file is missing, unreadable, truncated, not an image, empty, deeper than a
 ///         picture (volume, tiles of 3-D) or larger than 2^28 pixels
 ImageFile read_image(const std::filesystem::path& path);
@@ -30,6 +54,12 @@ bool has_image_name(const std::filesystem::path& path);
 /// These writers take the path of a scratch file (see `Output`) and replace nothing by themselves.
 /// throws  Error if the file cannot be written
 void write_exr(const std::filesystem::path& path, const Image& image);
+
+/// The same files from rows that need not fit into memory at once; `row` throws nothing.
+void write_exr_rows(const std::filesystem::path& path, const PictureShape& shape,
+                    const RowSource& row);
+void write_integer_rows(const std::filesystem::path& path, const PictureShape& shape, int bits,
+                        const RowSource& row);
 
 /// Writes planes with values in [0, 1] (clipped) as integers of 8 or 16 bits; `path` ends in .png,
 /// .tif or .tiff. The values are stored as they are: encode for the eye before.

@@ -82,30 +82,26 @@ int bits_of(const OIIO::ImageSpec& spec, bool floating) {
   return said > 0 ? std::min(said, stored) : stored;
 }
 
-// Calls `put(row, pixels)` with so many rows at a time that what they take is small beside the
-// picture; tiles come all at once. False where the file cannot be read.
-template <class Put>
-bool read_rows(OIIO::ImageInput& input, int first_channel, int channels, const Put& put) {
-  const OIIO::ImageSpec spec = input.spec();
-  const int rows_at_once = spec.tile_width > 0 ? spec.height : std::min(spec.height, 256);
-  std::vector<float> pixels(std::size_t(spec.width) * std::size_t(rows_at_once * channels));
-  for (int row = 0; row < spec.height; row += rows_at_once) {
-    const int end = std::min(spec.height, row + rows_at_once);
-    const bool good =
-        rows_at_once == spec.height
-            ? input.read_image(0, 0, first_channel, first_channel + channels, OIIO::TypeFloat,
-                               pixels.data())
-            : input.read_scanlines(0, 0, spec.y + row, spec.y + end, spec.z, first_channel,
-                                   first_channel + channels, OIIO::TypeFloat, pixels.data());
-    if (!good) return false;
-    for (int r = row; r < end; ++r) {
-      put(r, pixels.data() + std::size_t(r - row) * std::size_t(spec.width * channels));
-    }
-  }
-  return true;
+// A band of rows at a time: enough for all threads, little beside the picture. Whole rows of tiles.
+int rows_of_band(const OIIO::ImageSpec& spec) {
+  constexpr int rows = 256;
+  return spec.tile_height > 1 ? (rows + spec.tile_height - 1) / spec.tile_height * spec.tile_height
+                              : rows;
 }
 
-std::string read_open_file(OIIO::ImageInput& input, const std::string& path, ImageFile& file) {
+// Rows [begin, end) of the channels [first, last), side by side.
+bool read_band(OIIO::ImageInput& input, int begin, int end, int first, int last, float* pixels) {
+  const OIIO::ImageSpec& spec = input.spec();
+  if (spec.tile_width == 0) {
+    return input.read_scanlines(0, 0, spec.y + begin, spec.y + end, 0, first, last, OIIO::TypeFloat,
+                                pixels);
+  }
+  return input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, 0, 1,
+                          first, last, OIIO::TypeFloat, pixels);
+}
+
+std::string read_open_file(OIIO::ImageInput& input, const std::string& path,
+                           const RowReader& reader) {
   const OIIO::ImageSpec& spec = input.spec();
   if (auto problem = size_problem(spec, path); !problem.empty()) return problem;
   const std::vector<int> channels = picture_channels(spec);
@@ -116,23 +112,32 @@ std::string read_open_file(OIIO::ImageInput& input, const std::string& path, Ima
 
   const auto [first, last] = std::minmax_element(channels.begin(), channels.end());
   const int stride = *last - *first + 1;
-  file.image = Image(spec.height, spec.width, int(channels.size()));
-  const bool good = read_rows(input, *first, stride, [&](int row, const float* pixels) {
-    for (std::size_t plane = 0; plane < channels.size(); ++plane) {
-      const float* source = pixels + (channels[plane] - *first);
-      for (float& value : file.image.planes[plane].row(row)) {
-        value = *source;
-        source += stride;
-      }
+  const bool floating = spec.format.is_floating_point();
+  if (!reader.begin(
+          {spec.height, spec.width, int(channels.size()), bits_of(spec, floating), floating})) {
+    return "";
+  }
+  const int band = std::min(rows_of_band(spec), spec.height);
+  std::vector<float> pixels(std::size_t(band) * spec.width * stride);
+  std::vector<float> row_pixels(std::size_t(spec.width) * channels.size());
+  for (int begin = 0; begin < spec.height; begin += band) {
+    const int end = std::min(begin + band, spec.height);
+    if (!read_band(input, begin, end, *first, *last + 1, pixels.data())) {
+      return damaged(first_line(input.geterror()));
     }
-  });
-  if (!good) return damaged(first_line(input.geterror()));
-  file.floating = spec.format.is_floating_point();
-  file.bits = bits_of(spec, file.floating);
+    const float* source = pixels.data();
+    for (int row = begin; row < end; ++row) {
+      float* to = row_pixels.data();
+      for (int col = 0; col < spec.width; ++col, source += stride) {
+        for (const int channel : channels) *to++ = source[channel - *first];
+      }
+      reader.row(row, row_pixels.data());
+    }
+  }
   return "";
 }
 
-std::string read(const std::string& path, int threads, ImageFile& file) noexcept try {
+std::string read(const std::string& path, int threads, const RowReader& reader) noexcept try {
   use_threads(threads);
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, not multiplied by alpha
@@ -142,7 +147,7 @@ std::string read(const std::string& path, int threads, ImageFile& file) noexcept
   const auto input = OIIO::ImageInput::open(path, &wishes);
   const std::string why = reason(input);
   if (!input) return "is not a picture that can be read; export it as PNG, TIFF, JPEG or EXR";
-  std::string problem = read_open_file(*input, path, file);
+  std::string problem = read_open_file(*input, path, reader);
   input->close();
   const std::string late = reason(input);
   if (problem.empty() && !late.empty()) problem = damaged(late);
@@ -154,56 +159,74 @@ std::string read(const std::string& path, int threads, ImageFile& file) noexcept
 }
 
 template <class T>
-std::vector<T> interleaved(const Image& image, const auto& stored) {
-  const std::size_t channels = image.planes.size();
-  std::vector<T> pixels(image.planes.front().size() * channels);
-  for (std::size_t c = 0; c < channels; ++c) {
-    for (std::size_t i = 0; i < image.planes[c].size(); ++i) {
-      pixels[i * channels + c] = stored(image.planes[c][i]);
-    }
-  }
-  return pixels;
-}
-
-template <class T>
 T as_integer(float value) {
   constexpr float full = std::numeric_limits<T>::max();
   return value > 0.0f ? T(std::lround(std::min(value, 1.0f) * full)) : T(0);  // NaN is 0 too
 }
 
-OIIO::ImageSpec spec_of(const Image& image, ImageModule::Storage storage) {
-  const auto type = storage == ImageModule::Storage::float32 ? OIIO::TypeDesc::FLOAT
-                    : storage == ImageModule::Storage::bits8 ? OIIO::TypeDesc::UINT8
-                                                             : OIIO::TypeDesc::UINT16;
-  OIIO::ImageSpec spec(image.cols(), image.rows(), image.channels(), type);
-  if (image.channels() == 1) spec.channelnames = {"Y"};
+OIIO::TypeDesc type_of(ImageModule::Storage storage) {
+  switch (storage) {
+    case ImageModule::Storage::float32:
+      return OIIO::TypeFloat;
+    case ImageModule::Storage::bits8:
+      return OIIO::TypeUInt8;
+    case ImageModule::Storage::bits16:
+      return OIIO::TypeUInt16;
+  }
+  return OIIO::TypeFloat;
+}
+
+OIIO::ImageSpec spec_of(const PictureShape& shape, ImageModule::Storage storage) {
+  OIIO::ImageSpec spec(shape.cols, shape.rows, shape.channels, type_of(storage));
+  if (shape.channels == 1) spec.channelnames = {"Y"};
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "1970:01:01 00:00:00");  // else TIFF remembers the time of writing
   return spec;
 }
 
-bool write_pixels(OIIO::ImageOutput& output, const Image& image, ImageModule::Storage storage) {
-  if (storage == ImageModule::Storage::float32) {
-    const auto pixels = interleaved<float>(image, [](float value) { return value; });
-    return output.write_image(OIIO::TypeFloat, pixels.data());
+// Band by band; T is how a value is stored.
+template <class T>
+bool write_pixels(OIIO::ImageOutput& output, const RowSource& source, const auto& stored) {
+  const OIIO::ImageSpec& spec = output.spec();
+  const int band = std::min(rows_of_band(spec), spec.height);
+  const std::size_t in_row = std::size_t(spec.width) * std::size_t(spec.nchannels);
+  std::vector<float> values(in_row);
+  std::vector<T> pixels(std::size_t(band) * in_row);
+  for (int begin = 0; begin < spec.height; begin += band) {
+    const int end = std::min(begin + band, spec.height);
+    T* to = pixels.data();
+    for (int row = begin; row < end; ++row) {
+      source(row, values.data());
+      to = std::transform(values.begin(), values.end(), to, stored);
+    }
+    if (!output.write_scanlines(begin, end, 0, spec.format, pixels.data())) return false;
   }
-  if (storage == ImageModule::Storage::bits8) {
-    const auto pixels = interleaved<std::uint8_t>(image, as_integer<std::uint8_t>);
-    return output.write_image(OIIO::TypeUInt8, pixels.data());
-  }
-  const auto pixels = interleaved<std::uint16_t>(image, as_integer<std::uint16_t>);
-  return output.write_image(OIIO::TypeUInt16, pixels.data());
+  return true;
 }
 
-std::string write(const std::string& path, int threads, const Image& image,
-                  ImageModule::Storage storage, std::vector<std::uint8_t>* bytes) noexcept try {
+bool write_pixels(OIIO::ImageOutput& output, const RowSource& source,
+                  ImageModule::Storage storage) {
+  switch (storage) {
+    case ImageModule::Storage::float32:
+      return write_pixels<float>(output, source, [](float value) { return value; });
+    case ImageModule::Storage::bits8:
+      return write_pixels<std::uint8_t>(output, source, as_integer<std::uint8_t>);
+    case ImageModule::Storage::bits16:
+      return write_pixels<std::uint16_t>(output, source, as_integer<std::uint16_t>);
+  }
+  return false;
+}
+
+std::string write(const std::string& path, int threads, const PictureShape& shape,
+                  ImageModule::Storage storage, const RowSource& row,
+                  std::vector<std::uint8_t>* bytes) noexcept try {
   use_threads(threads);
   const auto output = OIIO::ImageOutput::create(path);
   OIIO::Filesystem::IOVecOutput memory;
   bool good = output != nullptr;
   if (good && bytes) good = output->set_ioproxy(&memory);
-  good = good && output->open(path, spec_of(image, storage));
-  good = good && write_pixels(*output, image, storage);
+  good = good && output->open(path, spec_of(shape, storage));
+  good = good && write_pixels(*output, row, storage);
   good = output && output->close() && good;
   std::string why = reason(output);
   // OpenImageIO 2.4 complains so of every TIFF, whose pixels are then written nevertheless.

@@ -11,13 +11,15 @@ namespace hada {
 
 /// What the module with OpenImageIO inside offers to `image_file.cpp`, and to nobody else.
 ///
-/// Every function returns what went wrong, empty if nothing did; exceptions do not cross the door.
+/// Every function returns what went wrong, empty if nothing did; its own exceptions do not cross
+/// the door, and what it calls throws none.
 struct ImageModule {
   enum class Storage { float32, bits8, bits16 };
 
-  std::string (*read)(const std::string& path, int threads, ImageFile& file) noexcept;
+  std::string (*read)(const std::string& path, int threads, const RowReader& reader) noexcept;
   /// `bytes`, where given, receives the file instead of the disk; `path` then only says the format.
-  std::string (*write)(const std::string& path, int threads, const Image& image, Storage storage,
+  std::string (*write)(const std::string& path, int threads, const PictureShape& shape,
+                       Storage storage, const RowSource& row,
                        std::vector<std::uint8_t>* bytes) noexcept;
 };
 

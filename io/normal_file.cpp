@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
-#include "io/image_file.h"
 
 namespace hada {
 namespace {
@@ -17,37 +17,76 @@ constexpr double least_share = 0.01;  // of the pixels that must hold a normal
 constexpr float outline = 0.1f;
 constexpr float least_z = 1e-3f;
 
+// A unit vector that looks towards the camera; nothing if the pixel holds none.
+std::optional<Eigen::Vector3f> normal_of(const float* pixel, const PictureShape& shape,
+                                         bool y_down) {
+  Eigen::Vector3f normal(pixel[0], pixel[1], pixel[2]);
+  if (!shape.floating) normal = 2.0f * normal - Eigen::Vector3f::Ones();
+  if (y_down) normal.y() = -normal.y();
+  const float length = normal.norm();
+  if (!(length > 0.5f && length < 1.5f)) return {};  // also not a number
+  normal /= length;
+  if (normal.z() <= -outline) return {};
+  normal.z() = std::max(normal.z(), least_z);
+  return normal.normalized();
+}
+
 }  // namespace
 
-NormalFile read_normals(const std::filesystem::path& path, bool y_down) {
-  const ImageFile file = read_image(path);
-  const auto& planes = file.image.planes;
-  if (planes.size() != 3) {
-    throw Error(path.string() + ": a normal map has three channels x, y, z, this has one");
-  }
-  const int rows = planes[0].rows();
-  const int cols = planes[0].cols();
-  NormalFile result{NormalMap(rows, cols, Eigen::Vector3f::UnitZ()), Mask(rows, cols, 0)};
+NormalFile read_normals(
+    const std::filesystem::path& path, bool y_down,
+    const std::function<std::pmr::memory_resource*(const PictureShape&)>& memory) {
+  NormalFile result;
+  PictureShape shape;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < planes[0].size(); ++i) {
-    Eigen::Vector3f normal(planes[0][i], planes[1][i], planes[2][i]);
-    if (!file.floating) normal = 2.0f * normal - Eigen::Vector3f::Ones();
-    if (y_down) normal.y() = -normal.y();
-    const float length = normal.norm();
-    if (!(length > 0.5f && length < 1.5f)) continue;  // also not a number
-    normal /= length;
-    if (normal.z() <= -outline) continue;
-    normal.z() = std::max(normal.z(), least_z);
-    result.normals[i] = normal.normalized();
-    result.mask[i] = 1;
-    ++count;
-  }
+  const auto begin = [&](const PictureShape& found) {
+    shape = found;
+    if (shape.channels != 3) {
+      throw Error(path.string() + ": a normal map has three channels x, y, z, this has one");
+    }
+    std::pmr::memory_resource* const where = memory ? memory(shape) : nullptr;
+    result.normals = NormalMap(shape.rows, shape.cols, Eigen::Vector3f::UnitZ(), where);
+    result.mask = Mask(shape.rows, shape.cols, 0, where);
+    return true;
+  };
+  const auto take_row = [&](int row, const float* pixels) {
+    for (int col = 0; col < shape.cols; ++col) {
+      const auto normal = normal_of(pixels + 3 * col, shape, y_down);
+      if (!normal) continue;
+      result.normals(row, col) = *normal;
+      result.mask(row, col) = 1;
+      ++count;
+    }
+  };
+  read_rows(path, {begin, take_row});
   if (double(count) < least_share * double(result.mask.size())) {
     throw Error(path.string() +
                 ": hardly any pixel holds a unit vector that looks towards the camera; floats must "
                 "be signed, integers encode -1 to 1");
   }
   return result;
+}
+
+Grid<float> read_plane(const std::filesystem::path& path, const Mask& size) {
+  Grid<float> plane(size.rows(), size.cols(), 0.0f, size.memory());
+  int channels = 1;
+  const auto begin = [&](const PictureShape& shape) {
+    if (shape.rows != size.rows() || shape.cols != size.cols()) {
+      throw Error(path.string() + ": is " + std::to_string(shape.cols) + " x " +
+                  std::to_string(shape.rows) + " pixels, but the normal map " +
+                  std::to_string(size.cols()) + " x " + std::to_string(size.rows()));
+    }
+    channels = shape.channels;
+    return true;
+  };
+  const auto take_row = [&](int row, const float* pixels) {
+    for (float& value : plane.row(row)) {
+      value = channels == 3 ? (pixels[0] + pixels[1] + pixels[2]) / 3.0f : pixels[0];
+      pixels += channels;
+    }
+  };
+  read_rows(path, {begin, take_row});
+  return plane;
 }
 
 Eigen::Matrix3d read_intrinsics(const std::filesystem::path& path) {

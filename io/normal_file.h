@@ -1,10 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory_resource>
 
 #include <Eigen/Core>
 
 #include "core/surface.h"
+#include "io/image_file.h"
 
 namespace hada {
 
@@ -16,12 +19,20 @@ struct NormalFile {
 
 /// Three channels x, y, z: floats as they are, integers of 8 or 16 bits as (value + 1) / 2.
 ///
+/// memory  where both maps lie, given the size of the picture; absent: on the heap
 /// y_down  the file's y points down the rows, as in DirectX; else up, as in OpenGL
 /// A normal up to 6 degrees beyond the outline (z > -0.1) is turned back to z = 0.001.
 ///
 /// throws  Error naming the file if `read_image` does, if it has one channel only, or if hardly any
 ///         pixel holds a unit vector
-NormalFile read_normals(const std::filesystem::path& path, bool y_down);
+NormalFile read_normals(
+    const std::filesystem::path& path, bool y_down,
+    const std::function<std::pmr::memory_resource*(const PictureShape&)>& memory = {});
+
+/// A picture of one plane, or the mean of three, that belongs to a map of the size of `size`, in
+/// the memory of that.
+/// throws  Error naming the file if `read_image` does, or if it is of another size
+Grid<float> read_plane(const std::filesystem::path& path, const Mask& size);
 
 /// The 3 x 3 matrix of a pin-hole camera as nine numbers in a text file, in pixels: fx 0 cx, 0 fy
 /// cy, 0 0 1, the centre of the first pixel at (0, 0).

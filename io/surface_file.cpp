@@ -20,27 +20,20 @@ constexpr std::array<const char*, 6> map_names = {
     "mask.png", "height.exr", "normal.exr", "albedo.exr", "normal_sigma.exr", "height_sigma.exr"};
 constexpr double length_tolerance = 0.01;  // ten times the rounding of a half float
 
-Image only_inside(Image image, const Mask& mask) {
-  for (auto& plane : image.planes) {
-    for (std::size_t i = 0; i < plane.size(); ++i) {
-      if (!mask[i]) plane[i] = nowhere;
+PictureShape shape_of(const Mask& mask, int channels) {
+  return {.rows = mask.rows(), .cols = mask.cols(), .channels = channels};
+}
+
+// The values of the pixels inside the mask, `value(row, col, channel)`.
+template <class Value>
+RowSource inside(const Mask& mask, int channels, const Value& value) {
+  return [&mask, channels, value](int row, float* pixels) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      for (int c = 0; c < channels; ++c) {
+        *pixels++ = mask(row, col) ? value(row, col, c) : nowhere;
+      }
     }
-  }
-  return image;
-}
-
-Image image_of(const NormalMap& normals) {
-  Image image(normals.rows(), normals.cols(), 3);
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    for (int c = 0; c < 3; ++c) image.planes[std::size_t(c)][i] = normals[i][c];
-  }
-  return image;
-}
-
-Image image_of(const Mask& mask) {
-  Image image(mask.rows(), mask.cols(), 1);
-  for (std::size_t i = 0; i < mask.size(); ++i) image.planes[0][i] = mask[i] ? 1.0f : 0.0f;
-  return image;
+  };
 }
 
 void check_size(const fs::path& path, const Extent& extent) {
@@ -222,17 +215,32 @@ Surface read_single(const fs::path& path, double pitch, Unit unit) {
 void write_surface(Output& output, const std::string& folder, const Surface& surface,
                    const std::string& notes_json) {
   Json maps = Json::array({"mask.png"});
-  write_integer_image(output.file(folder + "mask.png"), image_of(surface.mask), 8);
-  const auto write_map = [&](const char* name, const Image& image) {
-    if (image.rows() == 0) return;
-    write_exr(output.file(folder + name), only_inside(image, surface.mask));
+  const Mask& mask = surface.mask;
+  write_integer_rows(output.file(folder + "mask.png"), shape_of(mask, 1), 8,
+                     [&](int row, float* pixels) {
+                       for (const auto pixel : mask.row(row)) *pixels++ = pixel ? 1.0f : 0.0f;
+                     });
+  const auto write_map = [&](const char* name, int channels, const auto& value) {
+    write_exr_rows(output.file(folder + name), shape_of(mask, channels),
+                   inside(mask, channels, value));
     maps.push_back(name);
   };
-  write_map("height.exr", Image(surface.height));
-  write_map("normal.exr", image_of(surface.normals));
-  write_map("albedo.exr", surface.albedo);
-  write_map("normal_sigma.exr", Image(surface.normal_sigma));
-  write_map("height_sigma.exr", Image(surface.height_sigma));
+  const auto write_plane = [&](const char* name, const Grid<float>& plane) {
+    if (plane.empty()) return;
+    write_map(name, 1, [&plane](int row, int col, int) { return plane(row, col); });
+  };
+  write_plane("height.exr", surface.height);
+  if (!surface.normals.empty()) {
+    write_map("normal.exr", 3,
+              [&](int row, int col, int c) { return surface.normals(row, col)[c]; });
+  }
+  if (!surface.albedo.empty()) {
+    write_map("albedo.exr", surface.albedo.channels(), [&](int row, int col, int c) {
+      return surface.albedo.planes[std::size_t(c)](row, col);
+    });
+  }
+  write_plane("normal_sigma.exr", surface.normal_sigma);
+  write_plane("height_sigma.exr", surface.height_sigma);
 
   const Extent& extent = surface.extent;
   Json json = {{"hada", "surface/1"},

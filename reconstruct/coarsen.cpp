@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "reconstruct/extra_edges.h"
 #include "reconstruct/level_rows.h"
 #include "reconstruct/split_blocks.h"
 
@@ -51,7 +52,7 @@ struct JoinedRow {
 
   void deal(PixelLevel& coarse, int row) const {
     const int count = int(split.size()) / 2;
-    const auto put = [&](const std::vector<float>& from, Floats& to) {
+    const auto put = [&](const std::vector<float>& from, Cells& to) {
       row_kernels::deal(count, from.data(), to.data() + coarse.at.start(row, 0),
                         to.data() + coarse.at.start(row, 1));
     };
@@ -65,10 +66,10 @@ struct JoinedRow {
 }  // namespace
 
 PixelLevel coarsened(PixelLevel& fine, float least_strength) {
-  PixelLevel coarse;
+  PixelLevel coarse(fine.memory());
   const Dealt& at = coarse.at = Dealt((fine.at.rows + 1) / 2, fine.at.half);
   for (auto* array : {&coarse.east, &coarse.south, &coarse.reach_across, &coarse.reach_along}) {
-    array->assign(at.size(), 0.0f);
+    *array = Cells(at.size(), coarse.memory());
   }
   std::vector<std::vector<int>> split_cols(std::size_t(at.rows));
   for_slices(at.rows, [&](int begin, int end) {
@@ -97,7 +98,7 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
                              along + at.start(row + 1, parity));
     }
   });
-  coarse.inverse.assign(coarse.nodes(), 0.0f);
+  coarse.inverse = Cells(coarse.nodes(), coarse.memory());
   for_each_index(at.rows, [&](int row) {
     for (const int parity : {0, 1}) {
       row_kernels::invert(at.block, coarse.inverse.data() + at.start(row, parity),

@@ -17,7 +17,7 @@ bool is_held(const PixelLevel& level, std::size_t node) {
 template <class Work>
 void for_edges(const PixelLevel& level, const Work& work) {
   const Dealt& at = level.at;
-  const auto weight = [&](const Floats& weights, std::size_t a, std::size_t b) {
+  const auto weight = [&](const Cells& weights, std::size_t a, std::size_t b) {
     if (!level.unit()) return double(weights[a]);
     return level.code[a] && level.code[b] ? 1.0 : 0.0;
   };

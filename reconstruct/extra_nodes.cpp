@@ -31,7 +31,7 @@ std::pair<bool, std::size_t> colour_and_parent(const PixelLevel& level, const Pi
 
 }  // namespace
 
-void relax_extras(const PixelLevel& level, Floats& x, const Floats& right, bool from_zero) {
+void relax_extras(const PixelLevel& level, Cells& x, const Cells& right, bool from_zero) {
   for_extras(level, [&](const auto&, std::size_t node, const auto* edge, const auto* end) {
     float sum = right[node];
     for (; edge != end; ++edge) {
@@ -41,7 +41,7 @@ void relax_extras(const PixelLevel& level, Floats& x, const Floats& right, bool 
   });
 }
 
-void restrict_extras(const PixelLevel& level, const Floats& x, const Floats& right,
+void restrict_extras(const PixelLevel& level, const Cells& x, const Cells& right,
                      PixelLevel& coarse) {
   for_extras(level, [&](const auto& extra, std::size_t node, const auto* edge, const auto* end) {
     if (level.inverse[node] == 0.0f) return;
@@ -59,13 +59,13 @@ void restrict_extras(const PixelLevel& level, const Floats& x, const Floats& rig
   });
 }
 
-void correct_extras(const PixelLevel& level, const PixelLevel& coarse, Floats& x) {
+void correct_extras(const PixelLevel& level, const PixelLevel& coarse, Cells& x) {
   for_extras(level, [&](const auto& extra, std::size_t node, const auto*, const auto*) {
     if (level.inverse[node] > 0.0f) x[node] += coarse.value[std::size_t(extra.parent)];
   });
 }
 
-PulledByExtras::PulledByExtras(const PixelLevel& level, const Floats& x, Floats& right)
+PulledByExtras::PulledByExtras(const PixelLevel& level, const Cells& x, Cells& right)
     : right_(right) {
   for_extras(level, [&](const auto&, std::size_t node, const auto* edge, const auto* end) {
     for (; edge != end; ++edge) {

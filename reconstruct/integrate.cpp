@@ -1,9 +1,11 @@
 #include "reconstruct/integrate.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -87,7 +89,7 @@ Grid<float> height_px(const SlopeMap& slopes, const Mask& mask, const IntegrateO
   std::optional<EdgeWeights> weights;
   if (!options.weight.empty()) weights = edge_weights(options.weight);
   return SlopeSolver(mask, std::move(weights))
-      .height(slopes, options.tolerance_px, options.max_cycles);
+      .height(slopes, options.tolerance_px, options.max_cycles, options.done);
 }
 
 Grid<float> in_units(Grid<float> height, double pitch, const std::optional<PinHole>& pin_hole) {
@@ -113,36 +115,68 @@ struct Disagreement {
   double share_of_worst = 0.0;  // of the squared curl, in the worst 1 % of all squares of pixels
 };
 
+// Non-negative numbers in bins that are 1/128 of their value wide, so that the largest of them are
+// found without keeping any.
+class Binned {
+ public:
+  Binned() : count_(bins, 0.0), sum_(bins, 0.0) {}
+
+  void add(float value) {
+    const auto bin = std::bit_cast<std::uint32_t>(value) >> 16;
+    count_[bin] += 1.0;
+    sum_[bin] += value;
+  }
+  // Of the sum of all, what the largest `share` of them have; 0 if there are none.
+  double share_of_largest(double share) const {
+    const double total = std::accumulate(sum_.begin(), sum_.end(), 0.0);
+    double rest = share * std::accumulate(count_.begin(), count_.end(), 0.0);
+    double largest = 0.0;
+    for (std::size_t bin = bins; bin-- > 0 && rest > 0.0;) {
+      if (count_[bin] == 0.0) continue;
+      const double taken = std::min(rest, count_[bin]);
+      largest += taken / count_[bin] * sum_[bin];
+      rest -= taken;
+    }
+    return total > 0.0 ? largest / total : 0.0;
+  }
+
+ private:
+  static constexpr std::size_t bins = 1 << 15;  // the sign of a float is not counted
+  std::vector<double> count_;
+  std::vector<double> sum_;
+};
+
 // Round a square of four pixels the rises of any height add up to 0. Errors of the normals leave a
 // little everywhere, a jump leaves much along a line.
 Disagreement disagreement(const Grid<float>& height, const SlopeMap& slopes, const Mask& mask) {
-  const EdgeRises rises = rises_of(slopes, mask);
+  const auto inside = [&](int row, int col) { return mask.contains(row, col) && mask(row, col); };
+  const auto rise_east = [&](int row, int col) {
+    return 0.5f * (slopes(row, col).x() + slopes(row, col + 1).x());
+  };
+  const auto rise_south = [&](int row, int col) {
+    return -0.5f * (slopes(row, col).y() + slopes(row + 1, col).y());
+  };
   double sum = 0.0;
   double count = 0.0;
-  std::vector<double> curls;
+  Binned curls;
   for (int row = 0; row < mask.rows(); ++row) {
     for (int col = 0; col < mask.cols(); ++col) {
-      const auto inside = [&](int r, int c) { return mask.contains(r, c) && mask(r, c); };
+      if (!mask(row, col)) continue;
       const auto add = [&](int r, int c, float rise) {
         sum += std::pow(double(height(r, c)) - height(row, col) - rise, 2);
         count += 1.0;
       };
-      if (!inside(row, col)) continue;
       const bool right = inside(row, col + 1);
       const bool below = inside(row + 1, col);
-      if (right) add(row, col + 1, rises.east(row, col));
-      if (below) add(row + 1, col, rises.south(row, col));
+      if (right) add(row, col + 1, rise_east(row, col));
+      if (below) add(row + 1, col, rise_south(row, col));
       if (!right || !below || !inside(row + 1, col + 1)) continue;
-      curls.push_back(std::pow(double(rises.east(row, col)) + rises.south(row, col + 1) -
-                                   rises.east(row + 1, col) - rises.south(row, col),
-                               2));
+      const float curl = rise_east(row, col) + rise_south(row, col + 1) - rise_east(row + 1, col) -
+                         rise_south(row, col);
+      curls.add(curl * curl);
     }
   }
-  const double curl = std::accumulate(curls.begin(), curls.end(), 0.0);
-  if (curl == 0.0) return {};
-  const auto worst = curls.begin() + std::ptrdiff_t(0.99 * double(curls.size()));
-  std::nth_element(curls.begin(), worst, curls.end());
-  return {std::sqrt(sum / count), std::accumulate(worst, curls.end(), 0.0) / curl};
+  return {std::sqrt(sum / std::max(count, 1.0)), curls.share_of_largest(0.01)};
 }
 
 }  // namespace
@@ -161,6 +195,10 @@ Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, doub
   if (jumps == Jumps::allowed && !options.weight.empty()) {
     throw Error("jumps and weights cannot be had together: leave out one of them");
   }
+  const bool too_large = mask.memory() != nullptr;
+  if (jumps == Jumps::allowed && too_large) {
+    throw Error("jumps cannot be found in a map that is kept on the disk: keep it in memory");
+  }
   const SlopeMap slopes = slopes_of(normals, mask, options.pin_hole);
   if (jumps != Jumps::allowed) {
     Grid<float> height = height_px(slopes, mask, options);
@@ -173,7 +211,11 @@ Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, doub
           found.rms, 100.0 * found.share_of_worst);
       if (!options.weight.empty()) reason = "weights were given";
       const bool suspicious = found.rms > least_rms && found.share_of_worst > least_share;
-      if (suspicious && options.weight.empty()) jumps = Jumps::allowed;
+      if (suspicious && too_large) {
+        reason = "there are signs of jumps, but the map is too large to look for them";
+      } else if (suspicious && options.weight.empty()) {
+        jumps = Jumps::allowed;
+      }
     }
     if (jumps != Jumps::allowed) {
       return {in_units(std::move(height), pitch, options.pin_hole), false, reason};

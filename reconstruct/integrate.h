@@ -5,14 +5,18 @@
 
 #include "core/grid.h"
 #include "core/surface.h"
+#include "reconstruct/multigrid.h"
 #include "reconstruct/slopes.h"
 
 namespace hada {
 
 struct IntegrateOptions {
-  double tolerance_px = 1e-5;  // root mean square error of the height, where the solver stops
+  /// Root mean square error of the height, where the solver stops. Half of what is promised, 1e-4,
+  /// because the error is an estimate.
+  double tolerance_px = 5e-5;
   int max_cycles = 100;
   Grid<float> weight{};  // of a pixel, > 0: 1 over its variance; empty: all count alike
+  CycleDone done{};      // is told of every cycle of the solver
   std::optional<PinHole> pin_hole{};  // absent: seen from straight above, at every pixel
 };
 
@@ -27,7 +31,7 @@ struct IntegrateOptions {
 ///
 /// normals  unit length, z > 0; pixels outside `mask` are not read
 /// pitch    distance between neighbouring pixels, > 0; the height is in its unit
-/// returns  a grid of the same size; 0 outside the mask
+/// returns  a grid of the same size; 0 outside the mask; all arrays lie in the memory of the mask
 /// throws   Error if the mask is empty
 ///
 /// Conjugate gradients on the normal equations, preconditioned by one multigrid V-cycle.
@@ -51,7 +55,9 @@ struct Integrated {
 /// in a
 ///            few pixels, along lines; but not if jumps would cut off parts, whose height over the
 ///            rest would then be anything
-/// throws     Error as `integrate` does, or where weights are given and jumps are allowed
+/// Maps that do not lie on the heap (see `Memory`) are taken for too large to find jumps in.
+/// throws     Error as `integrate` does, or where weights are given, or maps too large, and jumps
+///            are allowed
 Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, double pitch,
                                 Jumps jumps, const IntegrateOptions& options = {});
 

@@ -23,13 +23,22 @@ constexpr int sweeps_down = 2;
 constexpr int sweeps_up = 1;
 constexpr int renew_every = 2;  // cycles between two residuals formed anew
 constexpr double slow = 0.4;    // rate of cycles above which conjugate gradients pay
+// Where cycles are slow, and with weights, what is left is seen less well.
+constexpr double careful_tolerance = 1e-5;
 
 System system_of(PixelLevel& level) {
   return {level, level.value.data(), level.right.data()};
 }
 
-void clear_extras(const PixelLevel& level, Floats& values) {
+void clear_extras(const PixelLevel& level, Cells& values) {
   std::fill(values.begin() + std::ptrdiff_t(level.at.size()), values.end(), 0.0f);
+}
+
+void clear(const PixelLevel& level, Cells& values) {
+  for_each_index(level.at.rows + 2, [&](int row) {
+    std::fill_n(values.begin() + level.at.start(row - 1, 0), level.at.stride(), 0.0f);
+  });
+  clear_extras(level, values);
 }
 
 void add_sweeps(const System& system, int count, bool from_zero, std::vector<Stage>& stages) {
@@ -50,14 +59,14 @@ double sum_of_rows(int rows, const Work& work) {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double dot(const Dealt& at, const Floats& a, const Floats& b) {
+double dot(const Dealt& at, const Cells& a, const Cells& b) {
   return sum_of_rows(at.rows, [&](int row) {
     const auto first = at.start(row, 0);
     return row_kernels::dot(int(at.stride()), a.data() + first, b.data() + first);
   });
 }
 
-void add_times(const Dealt& at, double factor, const Floats& x, Floats& total) {
+void add_times(const Dealt& at, double factor, const Cells& x, Cells& total) {
   for_each_index(at.rows, [&](int row) {
     const auto first = at.start(row, 0);
     row_kernels::add_times(int(at.stride()), float(factor), x.data() + first, total.data() + first);
@@ -68,8 +77,8 @@ void add_times(const Dealt& at, double factor, const Floats& x, Floats& total) {
 
 Multigrid::Multigrid(PixelLevel finest) {
   const auto add = [this](PixelLevel level) {
-    level.value.assign(level.nodes(), 0.0f);
-    level.right.assign(level.nodes(), 0.0f);
+    level.value = Cells(level.nodes(), level.memory());
+    level.right = Cells(level.nodes(), level.memory());
     levels_.push_back(std::move(level));
     return CoarsestSolver::size_of(levels_.back());
   };
@@ -130,7 +139,7 @@ void Multigrid::full_cycle(std::size_t index) {
   PixelLevel& level = levels_[index];
   restrict_right(level, levels_[index + 1]);
   full_cycle(index + 1);
-  std::fill(level.value.begin(), level.value.end(), 0.0f);
+  clear(level, level.value);
   go_up(index);
   cycle(index, false);
 }
@@ -141,7 +150,7 @@ double Multigrid::coarse_size() const {
   return std::sqrt(4.0 * dot(coarse.at, coarse.value, coarse.value) / cells_);
 }
 
-Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
+Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const CycleDone& done) {
   PixelLevel& level = levels_.front();
   Solution solution;
   if (levels_.size() == 1) {
@@ -150,14 +159,14 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
     return solution;
   }
   const System system = system_of(level);
-  solution.value.assign(level.value.size(), 0.0f);
+  solution.value = Cells(level.value.size(), level.memory());
   if (!level.unit()) {
-    conjugate_steps(tolerance, max_cycles, solution);
+    conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);
     return solution;
   }
   restrict_right(level, levels_[1]);
   full_cycle(1);
-  std::fill(level.value.begin(), level.value.end(), 0.0f);
+  clear(level, level.value);
   double last = 0.0;
   double rate = 1.0;
   while (true) {
@@ -175,7 +184,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
     }
     if (end || slowly) {
       run(0, stages);
-      if (!end) conjugate_steps(tolerance, max_cycles, solution);
+      if (!end) conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);
       return solution;
     }
     add_sweeps(system, sweeps_down, renew, stages);
@@ -188,15 +197,17 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles) {
     rate = last > 0.0 ? std::min(size / last, 0.9) : 0.9;
     last = size;
     solution.error = size * rate / (1.0 - rate);  // what all further cycles would add
+    if (done) done(solution.cycles, solution.error);
   }
 }
 
 // Flexible conjugate gradients: every cycle gives a direction, which is made independent of the
 // last ones as far as the energy goes, and of which the best multiple is taken.
-void Multigrid::conjugate_steps(double tolerance, int max_cycles, Solution& solution) {
+void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDone& done,
+                                Solution& solution) {
   struct Direction {
-    Floats step;
-    Floats image;  // A step
+    Cells step;
+    Cells image;  // A step
     double energy = 0.0;
   };
   constexpr std::size_t remembered = 3;
@@ -204,7 +215,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, Solution& solu
   std::vector<Direction> directions;
   double last = 0.0;
   while (solution.cycles < max_cycles) {
-    const Floats residual = level.right;
+    const Cells residual = level.right;
     if (solution.cycles == 0) {
       full_cycle(0);
     } else {
@@ -232,6 +243,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, Solution& solu
         std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
     solution.error = 2.0 * std::max(size, last);  // steps do not shrink evenly
     last = size;
+    if (done) done(solution.cycles, solution.error);
     if (solution.error < tolerance) return;
     if (directions.size() == remembered) directions.erase(directions.begin());
     directions.push_back(std::move(direction));

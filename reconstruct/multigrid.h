@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "reconstruct/wavefront.h"
 
 namespace hada {
+
+/// What is to happen after every cycle: how many there were, and the error that is left, in px.
+using CycleDone = std::function<void(int cycles, double error)>;
 
 /// Solves A x = right on a graph of pixels, A its Laplacian, matrix-free and in single precision.
 ///
@@ -26,7 +30,7 @@ class Multigrid {
 
   const PixelLevel& finest() const { return levels_.front(); }
   /// Set before `solve`, laid out as the finest level; `solve` leaves a residual in it.
-  Floats& right() { return levels_.front().right; }
+  Cells& right() { return levels_.front().right; }
 
   /// The right-hand side consists of multiples of `step`: the residual is then kept without
   /// rounding. Returns 3 * 2^22 step, which rounds to these multiples when it is added and taken
@@ -34,12 +38,12 @@ class Multigrid {
   float set_step(float step) { return magic_ = 3.0f * 0x1p22f * step; }
 
   struct Solution {
-    Floats value;  // laid out as the finest level, up to a constant in each region
+    Cells value;  // laid out as the finest level, up to a constant in each region
     int cycles = 0;
     double error = 0.0;  // estimate, root mean square over the cells with edges
   };
   /// Cycles until the error is estimated at `tolerance`, or `max_cycles` are done.
-  Solution solve(double tolerance, int max_cycles);
+  Solution solve(double tolerance, int max_cycles, const CycleDone& done = {});
 
  private:
   void cycle(std::size_t index, bool from_zero);
@@ -48,7 +52,7 @@ class Multigrid {
   void go_up(std::size_t index);
   void run(std::size_t index, const std::vector<Stage>& stages);
   double coarse_size() const;
-  void conjugate_steps(double tolerance, int max_cycles, Solution& solution);
+  void conjugate_steps(double tolerance, int max_cycles, const CycleDone& done, Solution& solution);
 
   std::vector<PixelLevel> levels_;
   std::optional<CoarsestSolver> coarsest_;

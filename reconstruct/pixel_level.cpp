@@ -1,13 +1,15 @@
 #include "reconstruct/pixel_level.h"
 
+#include <algorithm>
+
 #include "core/parallel.h"
 #include "reconstruct/level_rows.h"
 
 namespace hada {
 
 EdgeWeights edge_weights(const Grid<float>& weight) {
-  EdgeWeights edges{Grid<float>(weight.rows(), weight.cols()),
-                    Grid<float>(weight.rows(), weight.cols())};
+  const Grid<float> none(weight.rows(), weight.cols(), 0.0f, weight.memory());
+  EdgeWeights edges{none, none};
   const auto both = [](float a, float b) { return 2.0f / (1.0f / a + 1.0f / b); };
   for_each_index(weight.rows(), [&](int row) {
     for (int col = 0; col < weight.cols(); ++col) {
@@ -20,35 +22,32 @@ EdgeWeights edge_weights(const Grid<float>& weight) {
 }
 
 PixelLevel PixelLevel::of(const Mask& mask) {
-  PixelLevel level;
+  PixelLevel level(mask.memory());
   level.at = Dealt(mask.rows(), mask.cols());
-  level.code.assign(level.at.size(), 0);
-  const int rows = mask.rows();
-  const int cols = mask.cols();
-  for_each_index(rows, [&](int row) {
-    std::uint8_t* const codes[2] = {level.code.data() + level.at.start(row, 0),
-                                    level.code.data() + level.at.start(row, 1)};
-    const auto here = mask.row(row);
-    const auto above = mask.row(row > 0 ? row - 1 : row);
-    const auto below = mask.row(row + 1 < rows ? row + 1 : row);
-    const bool has_above = row > 0;
-    const bool has_below = row + 1 < rows;
-    for (int col = 0; col < cols; ++col) {
-      const auto c = std::size_t(col);
-      const int count = (has_above && above[c]) + (has_below && below[c]) +
-                        (col > 0 && here[c - 1]) + (col + 1 < cols && here[c + 1]);
-      codes[col % 2][col / 2] = here[c] ? row_kernels::edge_code(count) : std::uint8_t(0);
+  level.code = decltype(level.code)(level.at.size(), level.memory());
+  const Dealt& at = level.at;
+  const std::vector<std::uint8_t> outside(std::size_t(at.cols), 0);
+  for_slices(at.rows, [&](int begin, int end) {
+    std::vector<std::uint8_t> here(std::size_t(at.cols) + 2, 0);
+    std::vector<std::uint8_t> codes(std::size_t(at.stride()), 0);
+    for (int row = begin; row < end; ++row) {
+      std::copy(mask.row(row).begin(), mask.row(row).end(), here.begin() + 1);
+      row_kernels::edge_codes(
+          at.cols, row > 0 ? mask.row(row - 1).data() : outside.data(), here.data() + 1,
+          row + 1 < at.rows ? mask.row(row + 1).data() : outside.data(), codes.data());
+      row_kernels::deal(at.block, codes.data(), level.code.data() + at.start(row, 0),
+                        level.code.data() + at.start(row, 1));
     }
   });
   return level;
 }
 
 PixelLevel PixelLevel::of(const Mask& mask, const EdgeWeights& weights) {
-  PixelLevel level;
+  PixelLevel level(mask.memory());
   const Dealt& at = level.at = Dealt(mask.rows(), mask.cols());
-  level.east.assign(at.size(), 0.0f);
-  level.south.assign(at.size(), 0.0f);
-  level.inverse.assign(at.size(), 0.0f);
+  for (auto* array : {&level.east, &level.south, &level.inverse}) {
+    *array = Cells(at.size(), level.memory());
+  }
   for_each_index(at.rows, [&](int row) {
     for (int col = 0; col < at.cols; ++col) {
       if (!mask(row, col)) continue;

@@ -2,11 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "core/grid.h"
 #include "reconstruct/dealt.h"
-#include "reconstruct/huge_pages.h"
+#include "reconstruct/zeroed.h"
 
 namespace hada {
 
@@ -30,16 +31,27 @@ EdgeWeights edge_weights(const Grid<float>& weight);
 struct PixelLevel {
   using Node = std::int32_t;  // a cell's place in `Dealt`, or at.size() + index of an extra node
 
+  explicit PixelLevel(std::pmr::memory_resource* where = nullptr)
+      : value(where),
+        right(where),
+        code(where),
+        east(where),
+        south(where),
+        inverse(where),
+        reach_across(where),
+        reach_along(where) {}
+  std::pmr::memory_resource* memory() const { return value.get_allocator().resource; }
+
   Dealt at;
-  Floats value;
-  Floats right;  // right-hand side; sums to 0 in every region
+  Cells value;
+  Cells right;  // right-hand side; sums to 0 in every region
 
   // The finest level of a plain mask: a byte for each pixel, see row_kernels.h, and nothing else.
-  std::vector<std::uint8_t, HugePages<std::uint8_t>> code;
+  std::vector<std::uint8_t, Zeroed<std::uint8_t>> code;
   // All others: the weight of the edge to the right and below, 1 over the sum of all at a cell, and
   // the reach of a cell along rows and columns, 1 / (2 sum of the edges that join its two halves).
-  Floats east, south, inverse;
-  Floats reach_across, reach_along;
+  Cells east, south, inverse;
+  Cells reach_across, reach_along;
 
   struct Edge {
     Node to;
@@ -70,7 +82,7 @@ struct PixelLevel {
     return extra + 1 < extras.size() ? extras[extra + 1].first_edge : int(edges.size());
   }
 
-  /// The finest level of a mask, all edges of weight 1, or with weights.
+  /// The finest level of a mask, all edges of weight 1, or with weights, in the memory of the mask.
   static PixelLevel of(const Mask& mask);
   static PixelLevel of(const Mask& mask, const EdgeWeights& weights);
 };

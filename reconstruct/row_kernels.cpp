@@ -1,5 +1,7 @@
 #include "reconstruct/row_kernels.h"
 
+#include <bit>
+
 #include "reconstruct/clones.h"
 
 namespace hada::row_kernels {
@@ -118,6 +120,28 @@ HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,
   }
 }
 
+HADA_CLONES_AVX512 void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
+                             std::uint8_t* __restrict odd) {
+  for (int i = 0; i < n; ++i) {
+    even[i] = row[2 * i];
+    odd[i] = row[2 * i + 1];
+  }
+}
+
+HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
+                                   const std::uint8_t* below, std::uint8_t* __restrict codes) {
+  for (int i = 0; i < n; ++i) {
+    const std::uint8_t count = std::uint8_t((above[i] ? 1 : 0) + (below[i] ? 1 : 0) +
+                                            (here[i - 1] ? 1 : 0) + (here[i + 1] ? 1 : 0));
+    const std::uint8_t code = count == 1   ? edge_code(1)
+                              : count == 2 ? edge_code(2)
+                              : count == 3 ? edge_code(3)
+                              : count == 4 ? edge_code(4)
+                                           : edge_code(0);
+    codes[i] = here[i] ? code : std::uint8_t(0);
+  }
+}
+
 HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& even,
                                     const Corner& odd, const std::uint8_t* alive) {
   float carry[2 * chunk];
@@ -213,12 +237,14 @@ HADA_CLONES_AVX512 void gather(int n, const float* even, const float* odd, float
 }
 
 HADA_CLONES_AVX512 float largest(int n, const float* x) {
-  float most = 0.0f;
+  // Without their sign floats are ordered as the integers with the same bits are, and of those the
+  // compiler takes many at a time.
+  std::int32_t most = 0;
   for (int i = 0; i < n; ++i) {
-    const float size = x[i] < 0.0f ? -x[i] : x[i];
+    const std::int32_t size = std::bit_cast<std::int32_t>(x[i]) & 0x7fffffff;
     most = size > most ? size : most;
   }
-  return most;
+  return std::bit_cast<float>(most);
 }
 
 HADA_CLONES_AVX512 void round_to(int n, float magic, float* __restrict x) {

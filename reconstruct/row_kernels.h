@@ -29,6 +29,11 @@ constexpr std::uint8_t edge_code(int edges) {
   return std::uint8_t(edges == 0 ? 0 : edges | (12 / edges) << 4);
 }
 
+/// The code of every pixel of a row of a mask; `here` has a place before its first pixel and one
+/// after its last.
+void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
+                const std::uint8_t* below, std::uint8_t* __restrict codes);
+
 /// x = (right + sum of neighbours) / edges: Gauss-Seidel where every edge weighs 1.
 ///
 /// Values outside the mask are 0 and all neighbours in the mask are joined, so the sum needs no
@@ -62,6 +67,8 @@ void add(int n, const float* x, float* __restrict total);
 void add_times(int n, float factor, const float* x, float* __restrict total);
 /// even[i] = row[2 i], odd[i] = row[2 i + 1].
 void deal(int n, const float* row, float* __restrict even, float* __restrict odd);
+void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
+          std::uint8_t* __restrict odd);
 
 /// Half a row of coarse cells and what is next to them on one side, across and along.
 struct Corner {

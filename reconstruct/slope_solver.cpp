@@ -16,7 +16,8 @@ constexpr int cycles_at_a_time = 12;
 }  // namespace
 
 EdgeRises rises_of(const SlopeMap& slopes, const Mask& mask) {
-  EdgeRises rises{Grid<float>(mask.rows(), mask.cols()), Grid<float>(mask.rows(), mask.cols())};
+  const Grid<float> none(mask.rows(), mask.cols(), 0.0f, slopes.memory());
+  EdgeRises rises{none, none};
   for_each_index(mask.rows(), [&](int row) {
     // Rows run against y.
     for (int col = 0; col < mask.cols(); ++col) {
@@ -111,9 +112,9 @@ void SlopeSolver::set_weighted_right(const EdgeRises& rises, const Grid<double>&
 }
 
 // Laid out as a grid, without the mean of every region.
-Grid<float> SlopeSolver::levelled(const Floats& value) const {
+Grid<float> SlopeSolver::levelled(const Cells& value) const {
   const Dealt& at = multigrid_.finest().at;
-  Grid<float> height(at.rows, at.cols);
+  Grid<float> height(at.rows, at.cols, 0.0f, mask_.memory());
   std::vector<double> sums(regions_.runs.size());
   for_slices(at.rows, [&](int begin, int end) {
     std::vector<float> whole(std::size_t(at.stride()));
@@ -146,15 +147,18 @@ Grid<float> SlopeSolver::levelled(const Floats& value) const {
 // Where weights differ, a pull that hardly counts at one pixel decides over a plate that hangs on
 // weak edges alone: single precision loses it. So the residual is found in double precision, a
 // correction in single, until that is small.
-Grid<float> SlopeSolver::height(const EdgeRises& rises, double tolerance, int max_cycles) {
+Grid<float> SlopeSolver::height(const EdgeRises& rises, double tolerance, int max_cycles,
+                                const CycleDone& done) {
   assert(weights_);
   cycles_ = 0;
   const Dealt& at = multigrid_.finest().at;
-  Grid<double> height(at.rows, at.cols);
+  Grid<double> height(at.rows, at.cols, 0.0, mask_.memory());
   while (cycles_ < max_cycles) {
     set_weighted_right(rises, height);
-    const auto solution =
-        multigrid_.solve(tolerance, std::min(max_cycles - cycles_, cycles_at_a_time));
+    const auto solution = multigrid_.solve(
+        tolerance, std::min(max_cycles - cycles_, cycles_at_a_time), [&](int cycles, double error) {
+          if (done) done(cycles_ + cycles, error);
+        });
     cycles_ += solution.cycles;
     const Grid<float> part = levelled(solution.value);
     double sum = 0.0;
@@ -166,16 +170,17 @@ Grid<float> SlopeSolver::height(const EdgeRises& rises, double tolerance, int ma
     // A correction is good to a few digits at least, and the next one would be as much smaller.
     if (0.1 * std::sqrt(sum / pixels) < tolerance || solution.cycles == 0) break;
   }
-  Grid<float> result(at.rows, at.cols);
+  Grid<float> result(at.rows, at.cols, 0.0f, mask_.memory());
   std::copy(height.begin(), height.end(), result.begin());
   return result;
 }
 
-Grid<float> SlopeSolver::height(const SlopeMap& slopes, double tolerance, int max_cycles) {
+Grid<float> SlopeSolver::height(const SlopeMap& slopes, double tolerance, int max_cycles,
+                                const CycleDone& done) {
   cycles_ = 0;
-  if (weights_) return height(rises_of(slopes, mask_), tolerance, max_cycles);
+  if (weights_) return height(rises_of(slopes, mask_), tolerance, max_cycles, done);
   set_right(slopes);
-  const Multigrid::Solution solution = multigrid_.solve(tolerance, max_cycles);
+  const Multigrid::Solution solution = multigrid_.solve(tolerance, max_cycles, done);
   cycles_ = solution.cycles;
   return levelled(solution.value);
 }

@@ -28,13 +28,17 @@ class SlopeSolver {
   /// With weights, every equation of two neighbours counts with its own, > 0.
   explicit SlopeSolver(const Mask& mask, std::optional<EdgeWeights> weights = {});
 
-  /// The height in pixels, zero-mean in every connected region of the mask, 0 outside.
+  /// The height in pixels, zero-mean in every connected region of the mask, 0 outside; it lies in
+  /// the memory of the mask, as all arrays of the solver do.
   ///
   /// tolerance   root mean square error of the height in pixels, at which the solver stops
   /// max_cycles  of multigrid, where it stops otherwise
-  Grid<float> height(const SlopeMap& slopes, double tolerance, int max_cycles);
+  /// done        is told of every cycle
+  Grid<float> height(const SlopeMap& slopes, double tolerance, int max_cycles,
+                     const CycleDone& done = {});
   /// The same for rises that are not means of slopes; with weights only.
-  Grid<float> height(const EdgeRises& rises, double tolerance, int max_cycles);
+  Grid<float> height(const EdgeRises& rises, double tolerance, int max_cycles,
+                     const CycleDone& done = {});
 
   /// How many cycles the last height took.
   int cycles() const { return cycles_; }
@@ -42,7 +46,7 @@ class SlopeSolver {
  private:
   void set_right(const SlopeMap& slopes);
   void set_weighted_right(const EdgeRises& rises, const Grid<double>& height);
-  Grid<float> levelled(const Floats& value) const;
+  Grid<float> levelled(const Cells& value) const;
 
   const Mask& mask_;
   std::optional<EdgeWeights> weights_;

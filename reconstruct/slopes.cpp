@@ -28,7 +28,7 @@ std::optional<PinHole> pin_hole_of(const Camera& camera, const Eigen::Vector2i& 
 
 SlopeMap slopes_of(const NormalMap& normals, const Mask& mask,
                    const std::optional<PinHole>& pin_hole, float least) {
-  SlopeMap slopes(mask.rows(), mask.cols(), Eigen::Vector2f::Zero());
+  SlopeMap slopes(mask.rows(), mask.cols(), Eigen::Vector2f::Zero(), normals.memory());
   for_each_index(mask.rows(), [&](int row) {
     for (int col = 0; col < mask.cols(); ++col) {
       if (!mask(row, col)) continue;

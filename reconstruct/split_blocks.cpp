@@ -2,35 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <utility>
+
+#include "reconstruct/extra_edges.h"
 
 namespace hada {
 namespace {
 
 using Node = PixelLevel::Node;
-
-enum class Way { within, across, along };  // of an edge: in one cell, in a row, in a column
-
-struct Place {
-  int row;
-  int col;
-};
-
-Place place_of(const PixelLevel& level, Node node) {
-  if (level.is_extra(node)) {
-    const auto& extra = level.extras[std::size_t(node) - level.at.size()];
-    return {extra.row, extra.col};
-  }
-  const auto stride = level.at.stride();
-  const auto in_row = node % stride;
-  return {int(node / stride) - 1,
-          int(in_row < level.at.block ? 2 * in_row : 2 * (in_row - level.at.block) + 1)};
-}
-
-Way way_between(const Place& a, const Place& b) {
-  if (a.row != b.row) return Way::along;
-  return a.col != b.col ? Way::across : Way::within;
-}
 
 class Splitter {
  public:
@@ -50,7 +29,7 @@ class Splitter {
 
   void run() {
     if (blocks_.empty()) return;
-    index_ = Grid<int>(coarse_.at.rows, coarse_.at.cols, -1);
+    index_ = Grid<int>(coarse_.at.rows, coarse_.at.cols, -1, coarse_.memory());
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       index_(blocks_[i].row, blocks_[i].col) = int(i);
     }
@@ -58,7 +37,7 @@ class Splitter {
     for (std::size_t i = 0; i < blocks_.size(); ++i) find_parts(int(i));
     for (const Place& block : blocks_) forget_crossings(block);
     for (const Place& block : blocks_) add_crossings(block);
-    list_edges();
+    list_extra_edges(std::move(sums_), coarse_);
   }
 
  private:
@@ -193,7 +172,7 @@ class Splitter {
       const Node a = node[std::size_t(link.a)];
       const Node b = node[std::size_t(link.b)];
       if (a != b) {
-        sums_.emplace_back(std::min(a, b), std::max(a, b), link.weight);
+        sums_.push_back({std::min(a, b), std::max(a, b), link.weight});
         continue;
       }
       const Way way =
@@ -239,7 +218,7 @@ class Splitter {
   // An edge between two blocks, by the nodes that its ends went to and the places of those.
   void add_crossing(Node a, Node b, const Place& at_a, const Place& at_b, float weight) {
     if (coarse_.is_extra(a) || coarse_.is_extra(b)) {
-      sums_.emplace_back(std::min(a, b), std::max(a, b), weight);
+      sums_.push_back({std::min(a, b), std::max(a, b), weight});
       return;
     }
     const Place first{std::min(at_a.row, at_b.row) / 2, std::min(at_a.col, at_b.col) / 2};
@@ -279,44 +258,13 @@ class Splitter {
     }
   }
 
-  // The sums of edges to extra nodes, each listed at the extra nodes that it has.
-  void list_edges() {
-    using Sum = std::tuple<Node, Node, float>;
-    const std::size_t count = sums_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto [low, high, weight] = sums_[i];
-      if (coarse_.is_extra(low)) sums_.emplace_back(high, low, weight);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      auto& [from, to, weight] = sums_[i];
-      if (!coarse_.is_extra(from)) std::swap(from, to);
-    }
-    std::stable_sort(sums_.begin(), sums_.end(), [](const Sum& a, const Sum& b) {
-      return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
-    });
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < coarse_.extras.size(); ++i) {
-      const Node node = Node(coarse_.at.size() + i);
-      coarse_.extras[i].first_edge = int(coarse_.edges.size());
-      for (; next < sums_.size() && std::get<0>(sums_[next]) == node; ++next) {
-        const auto [from, to, weight] = sums_[next];
-        if (int(coarse_.edges.size()) > coarse_.extras[i].first_edge &&
-            coarse_.edges.back().to == to) {
-          coarse_.edges.back().weight += weight;
-        } else {
-          coarse_.edges.push_back({to, weight});
-        }
-      }
-    }
-  }
-
   PixelLevel& fine_;
   PixelLevel& coarse_;
   float least_;
   std::vector<Place> blocks_;
   Grid<int> index_;  // of a block in blocks_, -1 if it hangs together
   std::vector<std::array<Node, 4>> parents_;
-  std::vector<std::tuple<Node, Node, float>> sums_;
+  std::vector<EdgeSum> sums_;
   std::vector<Member> members_;
   std::vector<Link> links_;
 };
@@ -328,41 +276,6 @@ void split_blocks(PixelLevel& fine, std::vector<std::vector<int>> split_cols, fl
   Splitter(fine, std::move(split_cols), least, coarse).run();
   std::sort(fine.moved.begin(), fine.moved.end(),
             [](const auto& a, const auto& b) { return a.cell < b.cell; });
-}
-
-void add_extra_edges(PixelLevel& coarse) {
-  for (auto& extra : coarse.extras) {
-    for (float* reach : {&extra.reach_across, &extra.reach_along}) {
-      *reach = *reach > 0.0f ? 0.5f / *reach : 0.0f;
-    }
-  }
-  std::vector<float> added(coarse.extras.empty() ? 0 : coarse.nodes(), 0.0f);
-  for (std::size_t i = 0; i < coarse.extras.size(); ++i) {
-    const auto& extra = coarse.extras[i];
-    const Node node = Node(coarse.at.size() + i);
-    for (int e = extra.first_edge; e < coarse.last_edge(i); ++e) {
-      auto& edge = coarse.edges[std::size_t(e)];
-      const Way way = way_between({extra.row, extra.col}, place_of(coarse, edge.to));
-      const bool to_extra = coarse.is_extra(edge.to);
-      const auto other = to_extra ? std::size_t(edge.to) - coarse.at.size() : std::size_t(edge.to);
-      const float reach_across =
-          to_extra ? coarse.extras[other].reach_across : coarse.reach_across[other];
-      const float reach_along =
-          to_extra ? coarse.extras[other].reach_along : coarse.reach_along[other];
-      const float across = extra.reach_across + reach_across;
-      const float along = extra.reach_along + reach_along;
-      edge.weight /= 1.0f + edge.weight * (way == Way::across  ? across
-                                           : way == Way::along ? along
-                                                               : std::min(across, along));
-      added[std::size_t(node)] += edge.weight;
-      if (!to_extra) added[other] += edge.weight;
-    }
-  }
-  for (std::size_t node = 0; node < added.size(); ++node) {
-    if (added[node] == 0.0f) continue;
-    float& inverse = coarse.inverse[node];
-    inverse = 1.0f / (added[node] + (inverse > 0.0f ? 1.0f / inverse : 0.0f));
-  }
 }
 
 }  // namespace hada

@@ -17,7 +17,4 @@ namespace hada {
 void split_blocks(PixelLevel& fine, std::vector<std::vector<int>> split_cols, float least,
                   PixelLevel& coarse);
 
-/// Turns the sums of the edges of extra nodes into edges in series, and counts them in `inverse`.
-void add_extra_edges(PixelLevel& coarse);
-
 }  // namespace hada

@@ -11,6 +11,7 @@
 #include "app/telling.h"
 #include "core/bounding_box.h"
 #include "core/error.h"
+#include "io/disk_memory.h"
 #include "io/image_file.h"
 #include "io/json.h"
 #include "io/normal_file.h"
@@ -23,20 +24,6 @@ namespace {
 
 std::ptrdiff_t pixels_in(const Mask& mask) {
   return std::count_if(mask.begin(), mask.end(), [](auto inside) { return inside != 0; });
-}
-
-// A picture of one plane, or the mean of three, of the size of the normal map.
-Grid<float> read_plane(const std::filesystem::path& path, const Mask& size) {
-  const Image image = read_image(path).image;
-  Grid<float> plane = image.planes[0];
-  if (!plane.same_size(size)) {
-    throw Error(fmt::format("{}: is {} x {} pixels, but the normal map {} x {}", path.string(),
-                            plane.cols(), plane.rows(), size.cols(), size.rows()));
-  }
-  for (std::size_t i = 0; i < plane.size() && image.planes.size() == 3; ++i) {
-    plane[i] = (image.planes[0][i] + image.planes[1][i] + image.planes[2][i]) / 3.0f;
-  }
-  return plane;
 }
 
 Levelling levelling_named(const std::string& name) {
@@ -55,6 +42,9 @@ void keep(Mask& mask, const Grid<float>& plane, float above) {
   }
 }
 
+// Above, about 60 bytes for each pixel are more than can be counted on to be free.
+constexpr std::size_t most_in_ram = std::size_t(1) << 26;
+
 // What lies where, before anything is integrated.
 struct Input {
   Surface surface;
@@ -62,11 +52,23 @@ struct Input {
   double share_without_normal = 0.0;  // of the pixels that the mask asks for
 };
 
-Input read_input(const IntegrateArguments& arguments) {
-  NormalFile file = read_normals(arguments.normals, arguments.y_down);
+// A part of a map that lies where the map does, or the map itself if that is all of it.
+template <class T>
+Grid<T> cut(Grid<T> map, const PixelBox& box) {
+  if (map.rows() == box.rows && map.cols() == box.cols) return map;
+  return crop(map, box.row, box.col, box.rows, box.cols);
+}
+
+Input read_input(const IntegrateArguments& arguments, DiskMemory& disk) {
+  const auto memory = [&](const PictureShape& shape) -> std::pmr::memory_resource* {
+    const bool large = std::size_t(shape.rows) * std::size_t(shape.cols) > most_in_ram;
+    const bool on_disk = arguments.memory == "disk" || (arguments.memory == "automatic" && large);
+    return on_disk ? &disk : nullptr;
+  };
+  NormalFile file = read_normals(arguments.normals, arguments.y_down, memory);
   Input input;
   if (arguments.mask) {
-    Mask asked(file.mask.rows(), file.mask.cols(), 1);
+    Mask asked(file.mask.rows(), file.mask.cols(), 1, file.mask.memory());
     keep(asked, read_plane(*arguments.mask, file.mask), 0.5f);
     for (std::size_t i = 0; i < asked.size(); ++i) file.mask[i] = file.mask[i] && asked[i];
     const auto pixels = double(pixels_in(asked));
@@ -82,17 +84,17 @@ Input read_input(const IntegrateArguments& arguments) {
     throw Error(arguments.normals.string() +
                 ": no pixel is left that has a normal and is in the mask; check the mask");
   }
-  const auto [row, col, rows, cols] = bounding_box(file.mask);
+  const PixelBox box = bounding_box(file.mask);
   Surface& surface = input.surface;
-  surface.extent = {.rows = rows, .cols = cols};
+  surface.extent = {.rows = box.rows, .cols = box.cols};
   if (arguments.pitch_mm) {
     surface.extent.pitch = *arguments.pitch_mm;
     surface.extent.unit = Unit::mm;
   }
-  surface.mask = crop(file.mask, row, col, rows, cols);
-  surface.normals = crop(file.normals, row, col, rows, cols);
-  surface.offset_px = {col, row};
-  input.options.weight = crop(weight, row, col, rows, cols);
+  surface.mask = cut(std::move(file.mask), box);
+  surface.normals = cut(std::move(file.normals), box);
+  surface.offset_px = {box.col, box.row};
+  input.options.weight = cut(std::move(weight), box);
   if (arguments.intrinsics) {
     const Eigen::Matrix3d k = read_intrinsics(*arguments.intrinsics);
     input.options.pin_hole =
@@ -103,13 +105,16 @@ Input read_input(const IntegrateArguments& arguments) {
 }
 
 // D - z: along the optical axis, in units of the height.
-Image depth_of(const Surface& surface, const PinHole& pin_hole) {
-  Image depth(surface.extent.rows, surface.extent.cols, 1);
+void write_depth(const std::filesystem::path& path, const Surface& surface,
+                 const PinHole& pin_hole) {
   const double distance = pin_hole.focal_px.x() * surface.extent.pitch;
-  for (std::size_t i = 0; i < surface.height.size(); ++i) {
-    depth.planes[0][i] = surface.mask[i] ? float(distance - surface.height[i]) : std::nanf("");
-  }
-  return depth;
+  write_exr_rows(
+      path, {.rows = surface.extent.rows, .cols = surface.extent.cols}, [&](int row, float* depth) {
+        for (int col = 0; col < surface.extent.cols; ++col) {
+          depth[col] =
+              surface.mask(row, col) ? float(distance - surface.height(row, col)) : std::nanf("");
+        }
+      });
 }
 
 std::string notes_of(const Input& input, const Integrated& found) {
@@ -125,20 +130,25 @@ std::string notes_of(const Input& input, const Integrated& found) {
 
 void integrate_command(const IntegrateArguments& arguments, const Terminal& terminal) {
   Output output(arguments.out);
+  DiskMemory disk(output.folder());  // outlives all maps
   terminal.step("reading the normal map");
-  Input input = read_input(arguments);
+  Input input = read_input(arguments, disk);
   Surface& surface = input.surface;
   terminal.step("integrating");
-  const Integrated found = integrate_with_jumps(surface.normals, surface.mask, surface.extent.pitch,
-                                                jumps_named(arguments.jumps), input.options);
-  surface.height = found.height;
+  input.options.done = [&](int cycles, double error) {
+    terminal.step(fmt::format("integrating: cycle {}, about {:.1g} px to go", cycles, error));
+  };
+  Integrated found = integrate_with_jumps(surface.normals, surface.mask, surface.extent.pitch,
+                                          jumps_named(arguments.jumps), input.options);
+  surface.height = std::move(found.height);
   if (input.options.pin_hole) {
-    write_exr(output.file("depth.exr"), depth_of(surface, *input.options.pin_hole));
+    write_depth(output.file("depth.exr"), surface, *input.options.pin_hole);
   }
   const Levelling levelling = levelling_named(arguments.levelling);
   level(surface.height, surface.mask, levelling);
   surface.levelling = name_of(levelling);
 
+  terminal.step("writing the surface");
   const std::string notes = notes_of(input, found);
   write_surface(output, "", surface, notes);
   put_previews(output, "", surface);

@@ -18,6 +18,7 @@ struct IntegrateArguments {
   bool y_down = false;
   std::string jumps = "automatic";
   std::string levelling = "offset";
+  std::string memory = "automatic";  // ram or disk
 };
 
 /// Turns a normal map of another program into a surface folder.

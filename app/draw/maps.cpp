@@ -141,6 +141,41 @@ Image shrunk(const Image& picture, int most_px) {
   return small;
 }
 
+Surface shrunk(const Surface& surface, int most_px) {
+  const Extent& whole = surface.extent;
+  const int step = std::max(1, (std::max(whole.rows, whole.cols) + most_px - 1) / most_px);
+  Surface small;
+  small.extent = whole;
+  small.extent.rows = std::max(1, whole.rows / step);
+  small.extent.cols = std::max(1, whole.cols / step);
+  small.extent.pitch *= step;
+  small.mask = Mask(small.extent.rows, small.extent.cols, 0);
+  if (surface.has_height()) small.height = Grid<float>(small.extent.rows, small.extent.cols);
+  if (!surface.normals.empty()) {
+    small.normals = NormalMap(small.extent.rows, small.extent.cols, Eigen::Vector3f::UnitZ());
+  }
+  for_each_index(small.extent.rows, [&](int row) {
+    for (int col = 0; col < small.extent.cols; ++col) {
+      double height = 0.0;
+      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+      int count = 0;
+      for (int r = row * step; r < std::min((row + 1) * step, whole.rows); ++r) {
+        for (int c = col * step; c < std::min((col + 1) * step, whole.cols); ++c) {
+          if (!surface.mask(r, c)) continue;
+          ++count;
+          if (surface.has_height()) height += surface.height(r, c);
+          if (!surface.normals.empty()) normal += surface.normals(r, c).cast<double>();
+        }
+      }
+      if (count == 0) continue;
+      small.mask(row, col) = 1;
+      if (surface.has_height()) small.height(row, col) = float(height / count);
+      if (!surface.normals.empty()) small.normals(row, col) = normal.normalized().cast<float>();
+    }
+  });
+  return small;
+}
+
 Image thumbnail(const Image& photograph, bool linear, int most_px) {
   Image small = shrunk(photograph, most_px);
   if (!linear) return small;

@@ -28,6 +28,10 @@ ReliefStyle relief_style(const Surface& surface);
 /// The height in colour, shaded by a light from the upper left.
 Image relief_picture(const Surface& surface, const ReliefStyle& style);
 
+/// A surface shrunk by whole pixels until no side is longer than `most_px`: each pixel the mean of
+/// those inside the mask that it covers, of height and normals; what else there is, is left out.
+Surface shrunk(const Surface& surface, int most_px);
+
 /// Normals as colours: (n + 1) / 2, y up.
 Image normal_picture(const Surface& surface);
 

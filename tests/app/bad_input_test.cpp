@@ -229,6 +229,26 @@ TEST_F(BadNormals, GoodOnesBecomeASurface) {
   EXPECT_NEAR(height(5, 29) - height(5, 0), -0.75f * 2.9f, 1e-4f);
 }
 
+TEST_F(BadNormals, MapsOnTheDiskGiveTheSameBytes) {
+  Image map(700, 900, 3);
+  for (std::size_t i = 0; i < map.planes[0].size(); ++i) {
+    map.planes[0][i] = 0.3f * float(std::sin(0.001 * double(i)));
+    map.planes[2][i] = i % 97 == 0 ? 0.0f : 0.95f;
+  }
+  write_exr(scratch / "large.exr", map);
+  put(scratch / "L.txt", "1500 0 450 0 1500 350 0 0 1");
+  for (const char* where : {"ram", "disk"}) {
+    const Answer said = answer("integrate " + file("large.exr") + " --intrinsics " + file("L.txt") +
+                               " --memory " + where + " -o " + file(where));
+    EXPECT_EQ(said.code, 0) << said.err;
+  }
+  for (const auto& entry : fs::directory_iterator(scratch / "ram")) {
+    const auto name = entry.path().filename();
+    EXPECT_EQ(text_of(entry.path()), text_of(scratch / "disk" / name)) << name;
+  }
+  expect_refused(file("large.exr") + " --memory disk --jumps allowed");
+}
+
 TEST_F(BadNormals, MissingAndBrokenFilesAreSaid) {
   expect_refused(file("none.exr"));
   expect_refused(file("normals.exr") + " --mask " + file("none.png"));

@@ -131,8 +131,8 @@ TEST(LightStack, IsTheSameOfPicturesOnDisk) {
   put_on_disk(on_disk);
   const LightStack expected = light_stack(in_memory, six_lights(), {});
   const LightStack found = light_stack(std::move(on_disk), six_lights(), {});
-  EXPECT_EQ(found.images[0].keep(), Keep::on_disk);
-  EXPECT_EQ(found.samples[0].keep(), Keep::on_disk);
+  EXPECT_EQ(found.images[0].memory(), scratch_files());
+  EXPECT_EQ(found.samples[0].memory(), scratch_files());
   EXPECT_EQ(found.images, expected.images);
   EXPECT_EQ(found.samples, expected.samples);
   EXPECT_EQ(found.mask, expected.mask);

@@ -107,14 +107,14 @@ TEST_F(Load, AsksForTheFocalLengthOfAPerspectiveCamera) {
 TEST_F(Load, KeepsTheSamePicturesOnDisk) {
   for (const char* const name : {"a.png", "b.png", "c.png"}) add(name, 0.5f);
   file_.dark = picture("dark.png", 0.1f);
-  const Photographs in_memory = load_photographs(file_, {.keep = Keep::in_memory});
-  const Photographs on_disk = load_photographs(file_, {.keep = Keep::on_disk});
-  EXPECT_EQ(load_photographs(file_).images[0].keep(), Keep::in_memory);  // they are small
-  EXPECT_EQ(on_disk.images[2].keep(), Keep::on_disk);
+  const Photographs in_memory = load_photographs(file_, {.memory = nullptr});
+  const Photographs on_disk = load_photographs(file_, {.memory = scratch_files()});
+  EXPECT_EQ(load_photographs(file_).images[0].memory(), nullptr);  // they are small
+  EXPECT_EQ(on_disk.images[2].memory(), scratch_files());
   EXPECT_EQ(on_disk.images, in_memory.images);
   EXPECT_EQ(on_disk.saturated, in_memory.saturated);
   const Photographs copy = copy_of(on_disk);
-  EXPECT_EQ(copy.images[2].keep(), Keep::on_disk);
+  EXPECT_EQ(copy.images[2].memory(), scratch_files());
   EXPECT_EQ(copy.images, in_memory.images);
   EXPECT_EQ(linearized(on_disk).images, linearized(in_memory).images);
   EXPECT_TRUE(is_linearized(linearized(on_disk)));

@@ -99,7 +99,7 @@ inline Photographs table_scene(std::vector<TableSphere> spheres) {
 inline void put_on_disk(Photographs& photographs) {
   for (Image& image : photographs.images) {
     for (auto& plane : image.planes) {
-      Grid<float> on_disk(plane.rows(), plane.cols(), 0.0f, Keep::on_disk);
+      Grid<float> on_disk(plane.rows(), plane.cols(), 0.0f, scratch_files());
       std::copy(plane.begin(), plane.end(), on_disk.begin());
       plane = std::move(on_disk);
     }

@@ -32,7 +32,7 @@ Grid<double> balanced(const Mask& mask, Seed seed) {
 
 // The largest |right - A x|, in double precision.
 double largest_residual(const Mask& mask, const Grid<double>& right, const Multigrid& multigrid,
-                        const Floats& value) {
+                        const Cells& value) {
   Grid<double> rest = right;
   const auto& at = multigrid.finest().at;
   const auto pull = [&](int row, int col, int r, int c) {

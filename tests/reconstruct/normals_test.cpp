@@ -342,11 +342,11 @@ TEST(SolveNormals, FindTheSameBytesInPicturesOnDisk) {
       pictures_of(waves(150, 90), ring_of_lights(8), {.noise = 0.01, .seed = 3});
   LightStack on_disk = in_memory;
   for (std::size_t k = 0; k < on_disk.images.size(); ++k) {
-    Grid<float> plane(150, 90, 0.0f, Keep::on_disk);
+    Grid<float> plane(150, 90, 0.0f, scratch_files());
     const auto& original = in_memory.images[k].planes[0];
     std::copy(original.begin(), original.end(), plane.begin());
     on_disk.images[k].planes[0] = std::move(plane);
-    on_disk.samples[k] = Grid<Sample>(150, 90, Sample::lit, Keep::on_disk);
+    on_disk.samples[k] = Grid<Sample>(150, 90, Sample::lit, scratch_files());
   }
   for (const Estimator estimator :
        {Estimator::least_squares, Estimator::adaptive, Estimator::robust_pca}) {

@@ -65,5 +65,26 @@ TEST(RowKernels, DealAndGatherAreInverse) {
   EXPECT_EQ(row_kernels::dot(17, even.data(), even.data()), 4.0 * 16.0 * 17.0 * 33.0 / 6.0);
 }
 
+TEST(RowKernels, FindTheLargestOfEitherSign) {
+  std::vector<float> x(37, 0.25f);
+  EXPECT_EQ(row_kernels::largest(37, x.data()), 0.25f);
+  x[20] = -3.5f;
+  x[36] = 2.0f;
+  EXPECT_EQ(row_kernels::largest(37, x.data()), 3.5f);
+  EXPECT_EQ(row_kernels::largest(0, x.data()), 0.0f);
+}
+
+TEST(RowKernels, CountTheEdgesOfEveryPixelOfAMask) {
+  // Any value but 0 is inside; the place before and after a row are outside here.
+  const std::vector<std::uint8_t> above = {0, 1, 1, 0, 0};
+  const std::vector<std::uint8_t> here = {0, 1, 255, 1, 0, 1, 0};
+  const std::vector<std::uint8_t> below = {1, 1, 0, 1, 0};
+  std::vector<std::uint8_t> codes(5);
+  row_kernels::edge_codes(5, above.data(), here.data() + 1, below.data(), codes.data());
+  const std::vector<std::uint8_t> expected = {row_kernels::edge_code(2), row_kernels::edge_code(4),
+                                              row_kernels::edge_code(2), 0, 0};
+  EXPECT_EQ(codes, expected);
+}
+
 }  // namespace
 }  // namespace hada

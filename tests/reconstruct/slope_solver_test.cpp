@@ -1,6 +1,9 @@
 #include "reconstruct/slope_solver.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory_resource>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -19,6 +22,34 @@ TEST(SlopeSolver, IsLinearInTheSlopes) {
   for (auto& slope : slopes) slope *= 2.0f;
   const auto twice = solver.height(slopes, 1e-6, 100);
   for (std::size_t i = 0; i < height.size(); ++i) ASSERT_NEAR(twice[i], 2.0f * height[i], 2e-5f);
+}
+
+TEST(SlopeSolver, ReturnsTheSameBytesWhereverTheMaskLies) {
+  class Counting : public std::pmr::memory_resource {
+   public:
+    std::size_t most = 0;
+
+   private:
+    void* do_allocate(std::size_t bytes, std::size_t) override {
+      most = std::max(most, bytes);
+      return ::operator new(bytes);
+    }
+    void do_deallocate(void* memory, std::size_t, std::size_t) override {
+      ::operator delete(memory);
+    }
+    bool do_is_equal(const memory_resource& other) const noexcept override {
+      return this == &other;
+    }
+  };
+  Counting counting;
+  const Mask mask = torn_mask(200, 170, 3);
+  Mask elsewhere(200, 170, 0, &counting);
+  std::copy(mask.begin(), mask.end(), elsewhere.begin());
+  const SlopeMap slopes = slopes_of(waves(200, 170).normals, mask);
+  const auto height = SlopeSolver(elsewhere).height(slopes, 1e-5, 100);
+  EXPECT_EQ(height, SlopeSolver(mask).height(slopes, 1e-5, 100));
+  EXPECT_EQ(height.memory(), &counting);
+  EXPECT_GE(counting.most, mask.size() * sizeof(float));
 }
 
 TEST(SlopeSolver, SettlesInAFewCyclesAtAnySize) {

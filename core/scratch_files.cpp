@@ -1,4 +1,4 @@
-#include "core/keep.h"
+#include "core/scratch_files.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -30,25 +30,34 @@ int scratch_file(std::size_t bytes) {
   return nameless_file("/var/tmp", bytes);  // unlike /tmp never held in memory
 }
 
+class ScratchFiles : public std::pmr::memory_resource {
+  void* do_allocate(std::size_t bytes, std::size_t) override {
+    const std::size_t length = bytes > 0 ? bytes : 1;  // nothing at all cannot be mapped
+    const int file = scratch_file(length);
+    const int flags = file < 0 ? MAP_SHARED | MAP_ANONYMOUS : MAP_SHARED;
+    void* const memory = mmap(nullptr, length, PROT_READ | PROT_WRITE, flags, file, 0);
+    if (file >= 0) close(file);  // the mapping holds it
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    return memory;
+  }
+  void do_deallocate(void* memory, std::size_t bytes, std::size_t) override {
+    munmap(memory, bytes > 0 ? bytes : 1);
+  }
+  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
+    return this == &other;
+  }
+};
+
 }  // namespace
 
-Keep keep_of_pictures(std::size_t bytes) {
-  constexpr std::size_t most_in_memory = std::size_t(1) << 29;
-  return bytes > most_in_memory ? Keep::on_disk : Keep::in_memory;
+std::pmr::memory_resource* scratch_files() {
+  static ScratchFiles files;
+  return &files;
 }
 
-void* map_on_disk(std::size_t bytes) {
-  const std::size_t length = bytes > 0 ? bytes : 1;  // nothing at all cannot be mapped
-  const int file = scratch_file(length);
-  const int flags = file < 0 ? MAP_SHARED | MAP_ANONYMOUS : MAP_SHARED;
-  void* const memory = mmap(nullptr, length, PROT_READ | PROT_WRITE, flags, file, 0);
-  if (file >= 0) close(file);  // the mapping holds it
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  return memory;
-}
-
-void unmap_from_disk(void* memory, std::size_t bytes) {
-  munmap(memory, bytes > 0 ? bytes : 1);
+std::pmr::memory_resource* memory_for_pictures(std::size_t bytes) {
+  constexpr std::size_t most_on_heap = std::size_t(1) << 29;
+  return bytes > most_on_heap ? scratch_files() : nullptr;
 }
 
 void let_go_of_memory(const void* begin, std::size_t bytes) {
