@@ -86,9 +86,9 @@ double sum_of(const std::vector<double>& values) {
 }
 
 // Variance of the normals, per tangent axis, that lies in the choice of their estimator: by how
-// much they differ from those of another that believes other samples, beyond what noise does to the
-// difference. The variance of a difference to an efficient estimator is the difference of the
-// variances (J. A. Hausman, Econometrica 46, 1978).
+// much they differ from those of another that believes other samples, beyond what noise and the
+// errors of the lights do to the difference. The variance of a difference to an efficient estimator
+// is the difference of the variances (J. A. Hausman, Econometrica 46, 1978).
 Grid<float> model_variance(const LightStack& stack, const NormalOptions& options,
                            const NormalMaps& maps, const Grid<float>& sample_variance) {
   NormalOptions other = options;
@@ -97,13 +97,17 @@ Grid<float> model_variance(const LightStack& stack, const NormalOptions& options
   const TileSource source = source_of(stack, other);
   NormalMaps others(stack, true);
   solve_all(source, plan_normals(source, other.estimator), true, others);
+  // All pixels share the errors of the lights, so pooling leaves what one draw of them does: up to
+  // the quantile 0.99 of chi-squared with one degree of freedom is no sign of a wrong model.
+  constexpr float highest = 6.635f;
   Grid<float> squares(stack.mask.rows(), stack.mask.cols());
   Grid<float> count = squares;
   for (std::size_t i = 0; i < count.size(); ++i) {
     if (!maps.orientation.mask[i] || !others.orientation.mask[i]) continue;
     const float turn = (maps.orientation.normals[i] - others.orientation.normals[i]).squaredNorm();
     const float gain = std::abs(others.noise_gain[i] - maps.noise_gain[i]);
-    squares[i] = 0.5f * turn - sample_variance[i] * gain;
+    const float lights = std::abs(others.light_variance[i] - maps.light_variance[i]);
+    squares[i] = 0.5f * turn - sample_variance[i] * gain - highest * lights;
     count[i] = 1.0f;
   }
   const Grid<float> pixels = box_sum(count, pool_radius_px);

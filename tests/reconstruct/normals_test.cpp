@@ -169,8 +169,10 @@ TEST(SolveNormals, StateTheSigmaThatMonteCarloFinds) {
     found.push_back(
         solve_normals(pictures_of(relief, ring_of_lights(6), {.noise = 0.005, .seed = seed})));
   }
-  // 4 x 3600 pixels with two axes: the ratio is good to 0.6 %.
-  EXPECT_NEAR(error_over_sigma(found, relief.normals), 1.0, 0.03);
+  // These pictures hold nothing that the model does not explain: sigma allows for 0.002 of the
+  // albedo, 0.6, beside the noise of 0.005. 4 x 3600 pixels with two axes are good to 0.6 %.
+  const double allowed = std::sqrt(1.0 + std::pow(0.002 * 0.6 / 0.005, 2));
+  EXPECT_NEAR(error_over_sigma(found, relief.normals) * allowed, 1.0, 0.03);
 }
 
 TEST(SolveNormals, CarryTheSigmaOfTheLightsToTheNormals) {
