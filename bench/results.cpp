@@ -24,6 +24,8 @@
 namespace {
 
 namespace fs = std::filesystem;
+using hada::Asked;
+using hada::judged;
 using hada::median;
 using hada::row;
 using hada::table;
@@ -56,18 +58,6 @@ std::string real_photographs() {
                  verdict(score.pixels > 0.95)});
   }
   return page;
-}
-
-// What a figure must be, and what it should be.
-struct Asked {
-  double must;
-  double goal;
-};
-
-std::string judged(double value, const Asked& asked, const char* form) {
-  const std::string number = fmt::format(fmt::runtime(form), value);
-  const char* verdict = value <= asked.goal ? "goal" : value <= asked.must ? "met" : "**not met**";
-  return fmt::format("{} ({} / {}: {})", number, asked.must, asked.goal, verdict);
 }
 
 std::string rendered_captures() {

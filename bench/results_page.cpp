@@ -1,5 +1,7 @@
 #include "bench/results_page.h"
 
+#include <fmt/format.h>
+
 namespace hada {
 namespace {
 
@@ -30,6 +32,12 @@ std::string row(const std::vector<std::string>& cells) {
 
 std::string verdict(bool met) {
   return met ? "met" : "**not met**";
+}
+
+std::string judged(double value, const Asked& asked, const char* form) {
+  const std::string number = fmt::format(fmt::runtime(form), value);
+  const char* reached = value <= asked.goal ? "goal" : value <= asked.must ? "met" : "**not met**";
+  return fmt::format("{} ({} / {}: {})", number, asked.must, asked.goal, reached);
 }
 
 std::string with_sections(std::string page, const std::string& fresh) {

@@ -13,6 +13,15 @@ std::string row(const std::vector<std::string>& cells);
 
 std::string verdict(bool met);
 
+/// What a figure must be at most, and what it should be.
+struct Asked {
+  double must;
+  double goal;
+};
+
+/// form  of the value, for fmt
+std::string judged(double value, const Asked& asked, const char* form);
+
 /// The page with every section of `fresh` in the place of the one with its title, or at the end.
 std::string with_sections(std::string page, const std::string& fresh);
 
