@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -19,7 +20,8 @@
 namespace hada {
 namespace {
 
-constexpr double least_spread = 0.02;     // as in `Inverse`
+constexpr double least_spread = 0.02;  // as in `Inverse`
+constexpr float right_angle = float(std::numbers::pi / 2.0);
 constexpr int pixels_together = 1 << 18;  // that robust_pca takes at once
 
 // The condition of all directions together; three that span space are what everything rests on.
@@ -107,7 +109,9 @@ Grid<float> model_variance(const LightStack& stack, const NormalOptions& options
     const float turn = (maps.orientation.normals[i] - others.orientation.normals[i]).squaredNorm();
     const float gain = std::abs(others.noise_gain[i] - maps.noise_gain[i]);
     const float lights = std::abs(others.light_variance[i] - maps.light_variance[i]);
-    squares[i] = 0.5f * turn - sample_variance[i] * gain - highest * lights;
+    const float square = 0.5f * turn - sample_variance[i] * gain - highest * lights;
+    if (!std::isfinite(square)) continue;
+    squares[i] = square;
     count[i] = 1.0f;
   }
   const Grid<float> pixels = box_sum(count, pool_radius_px);
@@ -133,8 +137,10 @@ void judge_all(const LightStack& stack, const NormalOptions& options, const Ligh
   for (std::size_t i = 0; i < variance.size(); ++i) {
     const float unmodelled = unmodelled_share * found.rho[i];
     const float sample = variance[i] + unmodelled * unmodelled;
-    found.normal_sigma[i] =
-        std::sqrt(sample * maps.noise_gain[i] + maps.light_variance[i] + model[i]);
+    const float sigma = std::sqrt(sample * maps.noise_gain[i] + maps.light_variance[i] + model[i]);
+    // Where the samples that are believed lie in one plane they say nothing of the normal.
+    const bool known = maps.noise_gain[i] > 0.0f && sigma < right_angle;
+    found.normal_sigma[i] = known || !found.mask[i] ? sigma : right_angle;
     found.albedo_sigma[i] = found.rho[i] * std::sqrt(sample * maps.albedo_gain[i]);
   }
 }

@@ -101,5 +101,21 @@ TEST(NormalSigma, HoldsTheTruthInNinetyPerCentIntervals) {
   }
 }
 
+TEST(NormalSigma, IsANumberWhateverAnEstimatorBelieves) {
+  const Relief relief = waves(60, 60);
+  LightStack stack = pictures_of(relief, ring_of_lights(20));
+  for (Image& image : stack.images) {
+    for (float& value : image.planes[0]) value = std::pow(value, 6.0f);  // far from matte
+  }
+  for (const Estimator estimator : every_estimator) {
+    const Orientation found = solve_normals(stack, {.estimator = estimator});
+    for (std::size_t i = 0; i < found.mask.size(); ++i) {
+      if (!found.mask[i]) continue;
+      EXPECT_GT(found.normal_sigma[i], 0.0f) << name_of(estimator);
+      EXPECT_LE(found.normal_sigma[i], 1.5708f) << name_of(estimator);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hada
