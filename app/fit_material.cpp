@@ -7,19 +7,21 @@ namespace hada {
 namespace {
 
 // One overload per material: the only place where its fit is called.
-Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface,
-                        const FitMaterialOptions& options) {
-  return fit_wrinkle(surface, {.components = options.components});
+Fit<Wrinkle<>> fit_like(const Wrinkle<>&, Surface surface, const FitMaterialOptions& options) {
+  if (surface.has_height()) return fit_wrinkle(surface, {.components = options.components});
+  surface.height = measured_map(surface);
+  auto fit = fit_wrinkle(surface, {.components = options.components});
+  fit.remarks.insert(fit.remarks.begin(),
+                     "The input has no height: its brightness (0 to 1) was fitted instead, so "
+                     "amplitudes are brightness while lengths and angles keep their meaning.");
+  return fit;
 }
 
 }  // namespace
 
-MaterialFile fit_material(const std::string& name, Surface surface, const std::string& input_name,
-                          const FitMaterialOptions& options) {
+MaterialFile fit_material(const std::string& name, const Surface& surface,
+                          const std::string& input_name, const FitMaterialOptions& options) {
   MaterialFile file;
-  const Material wanted = material_named(name);
-  const bool has_height = surface.has_height();
-  if (!has_height) surface.height = measured_map(surface);
   std::visit(
       [&](const auto& shape) {
         const auto fit = fit_like(shape, surface, options);
@@ -32,14 +34,9 @@ MaterialFile fit_material(const std::string& name, Surface surface, const std::s
         file.agreeing = fit.agreeing;
         file.remarks = fit.remarks;
       },
-      wanted);
-  if (!has_height) {
-    file.remarks.insert(file.remarks.begin(),
-                        "The input has no height: its brightness (0 to 1) was fitted instead, so "
-                        "amplitudes are brightness while lengths and angles keep their meaning.");
-  }
+      material_named(name));
   file.unit = surface.extent.unit;
-  file.input = MaterialFile::Input{input_name, hash_of(surface.height), surface.extent};
+  file.input = MaterialFile::Input{input_name, hash_of(measured_map(surface)), surface.extent};
   return file;
 }
 

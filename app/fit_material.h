@@ -13,9 +13,10 @@ struct FitMaterialOptions {
 
 /// The material `name` that explains `surface` best.
 ///
-/// A surface without a height is fitted by its brightness, and a remark says so.
-/// input_name  what the surface was read from, for the record
-MaterialFile fit_material(const std::string& name, Surface surface, const std::string& input_name,
-                          const FitMaterialOptions& options = {});
+/// Each material looks at what it explains: wrinkles at the height (at the brightness, with a
+/// remark, where there is none), wood, knit and forged steel at the albedo. input_name  what the
+/// surface was read from, for the record
+MaterialFile fit_material(const std::string& name, const Surface& surface,
+                          const std::string& input_name, const FitMaterialOptions& options = {});
 
 }  // namespace hada

@@ -124,16 +124,22 @@ std::vector<std::string> told(const MaterialFile& file) {
   std::string group;
   std::visit(
       [&](const auto& m) {
+        visit_words(m, [&](const auto& word, const std::string& text) {
+          lines.push_back(fmt::format("  {} {}", word.name, text));
+        });
         visit_fields(m, [&](const std::string& path, const auto& field, double value) {
-          const auto dot = path.rfind('.');
-          const std::string owner = dot == std::string::npos ? "" : path.substr(0, dot);
+          // One line for a part, one for a list of numbers, one for a field.
+          const bool listed = path.back() == ']';
+          const auto end = path.rfind(listed ? '[' : '.');
+          const std::string owner = end == std::string::npos ? "" : path.substr(0, end);
           if (owner != group || lines.empty() || owner.empty()) {
             lines.push_back("  " + (owner.empty() ? "" : owner + ": "));
           } else {
             lines.back() += ", ";
           }
           group = owner;
-          lines.back() += fmt::format("{} {}", field.name, with_sigma(value, sigma[path]));
+          if (!listed) lines.back() += std::string(field.name) + " ";
+          lines.back() += with_sigma(value, sigma[path]);
         });
       },
       file.material);

@@ -12,10 +12,11 @@
 
 /// The field table of a material is the single source of its parameter names, units and bounds.
 ///
-/// A material is `template <class T> struct M` with a `name`, members of type T, a constexpr
-/// `fields()` that returns an array of Field, and, where it owns lists of parts, a constexpr
-/// `parts()` that returns a tuple of PartList. A part is such a struct too, without a name. Packing
-/// for a solver, the JSON keys, `hada materials`, the docs page and the contract tests walk these.
+/// A material is `template <class T> struct M` with a `name`, members of type T and a constexpr
+/// `fields()` that returns an array of Field. Where it owns more, constexpr functions say so:
+/// `parts()` a tuple of PartList, `lists()` a tuple of NumberList, `words()` an array of Word. A
+/// part is such a struct too, without a name. Packing for a solver, the JSON keys, `hada
+/// materials`, the docs page and the contract tests walk these.
 namespace hada {
 
 /// How a solver sees a field.
@@ -44,13 +45,58 @@ struct PartList {
   int most;
 };
 
+/// Numbers that all mean the same: the radii of rings, the two coordinates of a point.
+template <class Owner, class T>
+struct NumberList {
+  std::string_view name;
+  std::vector<T> Owner::*member;
+  int fewest;
+  int most;
+  double low;  // of every number, as in Field
+  double high;
+  Scale scale;
+  std::string_view unit;
+  std::string_view meaning;
+};
+
+/// What is chosen, not measured: a sequence of folds. No solver moves it and it has no sigma.
+template <class Owner>
+struct Word {
+  std::string_view name;
+  std::string Owner::*member;
+  bool (*is_valid)(std::string_view text);
+  std::string_view rule;  // completes "must be ...", for whoever writes another
+  std::string_view meaning;
+};
+
 template <class M>
 concept HasParts = requires {
   M::parts();
 };
 
-/// Calls `visit(path, field, value)` for every field, parts in order; `path` is like
-/// "components[1].long_mm", `value` a reference into `material` (const if that is).
+template <class M>
+concept HasLists = requires {
+  M::lists();
+};
+
+template <class M>
+concept HasWords = requires {
+  M::words();
+};
+
+/// Calls `visit(word, text)` for every word of the material itself.
+template <class M, class Visit>
+void visit_words(M& material, const Visit& visit) {
+  using Plain = std::remove_const_t<M>;
+  if constexpr (HasWords<Plain>) {
+    for (const auto& word : Plain::words()) visit(word, material.*(word.member));
+  }
+}
+
+/// Calls `visit(path, field, value)` for every number: parts in order, then lists, then fields.
+///
+/// `path` is like "components[1].long_mm" or "radii_mm[3]", `field` the Field or the NumberList,
+/// `value` a reference into `material` (const if that is).
 template <class M, class Visit>
 void visit_fields(M& material, const Visit& visit, const std::string& prefix = "") {
   using Plain = std::remove_const_t<M>;
@@ -64,22 +110,37 @@ void visit_fields(M& material, const Visit& visit, const std::string& prefix = "
     };
     std::apply([&](const auto&... lists) { (visit_list(lists), ...); }, Plain::parts());
   }
+  if constexpr (HasLists<Plain>) {
+    const auto visit_list = [&](const auto& list) {
+      auto& values = material.*(list.member);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        visit(prefix + std::string(list.name) + "[" + std::to_string(i) + "]", list, values[i]);
+      }
+    };
+    std::apply([&](const auto&... lists) { (visit_list(lists), ...); }, Plain::lists());
+  }
   for (const auto& field : Plain::fields()) {
     visit(prefix + std::string(field.name), field, material.*(field.member));
   }
 }
 
-/// A material over another scalar, its lists as long as those of `shape`, its values the defaults.
+/// A material over another scalar: its lists as long as those of `shape`, its words the same, its
+/// numbers the defaults.
 template <class U, template <class> class M>
 M<U> shaped_like(const M<double>& shape) {
   M<U> result;
-  if constexpr (HasParts<M<double>>) {
-    constexpr auto from = M<double>::parts();
-    constexpr auto to = M<U>::parts();
+  const auto size_alike = [&](const auto& to, const auto& from) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       ((result.*(std::get<I>(to).member)).resize((shape.*(std::get<I>(from).member)).size()), ...);
     }
-    (std::make_index_sequence<std::tuple_size_v<decltype(from)>>{});
+    (std::make_index_sequence<std::tuple_size_v<std::decay_t<decltype(from)>>>{});
+  };
+  if constexpr (HasParts<M<double>>) size_alike(M<U>::parts(), M<double>::parts());
+  if constexpr (HasLists<M<double>>) size_alike(M<U>::lists(), M<double>::lists());
+  if constexpr (HasWords<M<double>>) {
+    const auto to = M<U>::words();
+    const auto from = M<double>::words();
+    for (std::size_t i = 0; i < to.size(); ++i) result.*(to[i].member) = shape.*(from[i].member);
   }
   return result;
 }
@@ -90,13 +151,14 @@ struct SolverBounds {
   double high;
 };
 
-template <class Owner, class T>
-double log_low(const Field<Owner, T>& field) {
+/// field  a Field or a NumberList
+template <class F>
+double log_low(const F& field) {
   return std::log(std::max(field.low, 1e-20 * field.high));
 }
 
-template <class Owner, class T>
-SolverBounds solver_bounds(const Field<Owner, T>& field) {
+template <class F>
+SolverBounds solver_bounds(const F& field) {
   if (field.scale == Scale::log) return {log_low(field), std::log(field.high)};
   if (field.scale == Scale::half_turn) return {-HUGE_VAL, HUGE_VAL};
   return {field.low, field.high};

@@ -184,4 +184,8 @@ void JsonObject::fail(const std::string& key, const std::string& what) const {
   throw Error(where_ + ": " + quoted(key) + " " + what);
 }
 
+std::string bounds_text(double low, double high) {
+  return Json(low).dump() + " and " + Json(high).dump();
+}
+
 }  // namespace hada

@@ -53,10 +53,13 @@ class JsonObject {
   std::set<std::string> asked_;
 };
 
-/// The fields of a material (or of its sigma) under the names of its field table.
+/// The numbers and words of a material (or the numbers of its sigma) under the names of its tables.
 template <class M>
 Json json_of(const M& material) {
   Json json = Json::object();
+  visit_words(material, [&](const auto& word, const std::string& text) {
+    json[std::string(word.name)] = text;
+  });
   if constexpr (HasParts<M>) {
     const auto add_list = [&](const auto& list) {
       Json parts = Json::array();
@@ -65,24 +68,52 @@ Json json_of(const M& material) {
     };
     std::apply([&](const auto&... lists) { (add_list(lists), ...); }, M::parts());
   }
+  if constexpr (HasLists<M>) {
+    const auto add_list = [&](const auto& list) {
+      json[std::string(list.name)] = material.*(list.member);
+    };
+    std::apply([&](const auto&... lists) { (add_list(lists), ...); }, M::lists());
+  }
   for (const auto& field : M::fields()) json[std::string(field.name)] = material.*(field.member);
   return json;
 }
 
+/// How an Error says which numbers are taken.
+std::string bounds_text(double low, double high);
+
+/// `object`'s value of a field; a half turn takes any finite angle and is wrapped.
+template <class F>
+double value_within(const F& field, double value, const JsonObject& object,
+                    const std::string& path) {
+  if (field.scale == Scale::half_turn) return half_turn(value);
+  if (value < field.low || value > field.high) {
+    object.fail(path, "must lie between " + bounds_text(field.low, field.high));
+  }
+  return value;
+}
+
 /// The inverse of `json_of`. Unknown or missing keys and values outside their bounds are Errors.
-/// A half-turn field takes any finite angle and is wrapped.
 template <class M>
 M material_from(JsonObject object) {
   M material;
+  const auto check_count = [&](const auto& list, std::size_t count) {
+    if (int(count) < list.fewest || int(count) > list.most) {
+      object.fail(std::string(list.name), "takes " + std::to_string(list.fewest) + " to " +
+                                              std::to_string(list.most) + " entries");
+    }
+  };
+  visit_words(material, [&](const auto& word, std::string& text) {
+    text = object.text(std::string(word.name));
+    if (!word.is_valid(text)) {
+      object.fail(std::string(word.name), "must be " + std::string(word.rule));
+    }
+  });
   if constexpr (HasParts<M>) {
     const auto read_list = [&](const auto& list) {
       auto& parts = material.*(list.member);
       const std::string key(list.name);
       const Json& json = object.list(key);
-      if (int(json.size()) < list.fewest || int(json.size()) > list.most) {
-        object.fail(key, "takes " + std::to_string(list.fewest) + " to " +
-                             std::to_string(list.most) + " entries");
-      }
+      check_count(list, json.size());
       parts.clear();
       using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
       for (std::size_t i = 0; i < json.size(); ++i) {
@@ -92,13 +123,22 @@ M material_from(JsonObject object) {
     };
     std::apply([&](const auto&... lists) { (read_list(lists), ...); }, M::parts());
   }
+  if constexpr (HasLists<M>) {
+    const auto read_list = [&](const auto& list) {
+      auto& values = material.*(list.member);
+      const std::string key(list.name);
+      const std::size_t count = object.list(key).size();
+      check_count(list, count);
+      values = object.numbers(key, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        values[i] = value_within(list, values[i], object, key + "[" + std::to_string(i) + "]");
+      }
+    };
+    std::apply([&](const auto&... lists) { (read_list(lists), ...); }, M::lists());
+  }
   for (const auto& field : M::fields()) {
-    const double value = object.number(std::string(field.name));
-    if (field.scale != Scale::half_turn && (value < field.low || value > field.high)) {
-      object.fail(std::string(field.name),
-                  "must lie between " + Json(field.low).dump() + " and " + Json(field.high).dump());
-    }
-    material.*(field.member) = field.scale == Scale::half_turn ? half_turn(value) : value;
+    const std::string key(field.name);
+    material.*(field.member) = value_within(field, object.number(key), object, key);
   }
   object.finish();
   return material;

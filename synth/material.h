@@ -3,6 +3,9 @@
 #include <concepts>
 #include <variant>
 
+#include "core/extent.h"
+#include "core/random.h"
+#include "core/surface.h"
 #include "synth/wrinkle.h"
 
 namespace hada {
@@ -14,6 +17,12 @@ using Material = std::variant<Wrinkle<>>;
 template <class M>
 concept Spectral = requires(const M& material, double frequency) {
   { psd(material, frequency, frequency) } -> std::convertible_to<double>;
+};
+
+/// A material whose making is its own: a solid that is cut, a billet that is folded.
+template <class M>
+concept Grown = requires(const M& material, const Extent& extent, Seed seed) {
+  { surface_of(material, extent, seed) } -> std::same_as<Surface>;
 };
 
 }  // namespace hada

@@ -11,9 +11,17 @@ namespace {
 
 constexpr float plain_albedo = 0.8f;
 
+// A fact of the spectrum alone: luck draws the phases, and the sheet is of one colour.
 template <Spectral M>
-Grid<float> height_of(const M& material, const Extent& extent, Seed seed) {
-  return gaussian_field([&](double fx, double fy) { return psd(material, fx, fy); }, extent, seed);
+Surface drawn(const M& material, const Extent& extent, Seed seed) {
+  Surface surface;
+  surface.extent = extent;
+  surface.mask = full_mask(extent);
+  surface.height =
+      gaussian_field([&](double fx, double fy) { return psd(material, fx, fy); }, extent, seed);
+  surface.normals = normals_of(surface.height, surface.mask, extent.pitch);
+  surface.albedo = Image(Grid<float>(extent.rows, extent.cols, plain_albedo));
+  return surface;
 }
 
 }  // namespace
@@ -25,14 +33,15 @@ Surface synthesize(const Material& material, const Extent& extent, Seed seed) {
   if (!std::isfinite(extent.pitch) || extent.pitch <= 0.0) {
     throw Error("synthesis: the pitch is not a positive number; give the size of a pixel");
   }
-  Surface surface;
-  surface.extent = extent;
-  surface.mask = full_mask(extent);
-  surface.height =
-      std::visit([&](const auto& known) { return height_of(known, extent, seed); }, material);
-  surface.normals = normals_of(surface.height, surface.mask, extent.pitch);
-  surface.albedo = Image(Grid<float>(extent.rows, extent.cols, plain_albedo));
-  return surface;
+  return std::visit(
+      [&](const auto& known) {
+        if constexpr (Grown<std::decay_t<decltype(known)>>) {
+          return surface_of(known, extent, seed);
+        } else {
+          return drawn(known, extent, seed);
+        }
+      },
+      material);
 }
 
 }  // namespace hada

@@ -21,32 +21,47 @@ std::string_view name_of(Scale scale) {
   return "";
 }
 
+template <class F>
+Json field_json(const F& field) {
+  return {{"name", field.name}, {"low", field.low},
+          {"high", field.high}, {"scale", name_of(field.scale)},
+          {"unit", field.unit}, {"meaning", field.meaning}};
+}
+
 template <class M>
 Json fields_json() {
   Json fields = Json::array();
-  for (const auto& field : M::fields()) {
-    fields.push_back({{"name", field.name},
-                      {"low", field.low},
-                      {"high", field.high},
-                      {"scale", name_of(field.scale)},
-                      {"unit", field.unit},
-                      {"meaning", field.meaning}});
-  }
+  for (const auto& field : M::fields()) fields.push_back(field_json(field));
   return fields;
 }
 
+// "lists" are parts, each of several fields, or numbers, each of one.
 template <class M>
 Json material_json() {
   Json json = {{"name", M::name}, {"summary", M::summary}, {"fields", fields_json<M>()}};
   json["lists"] = Json::array();
+  const auto add = [&](const auto& list, Json fields) {
+    json["lists"].push_back({{"name", list.name},
+                             {"fewest", list.fewest},
+                             {"most", list.most},
+                             {"fields", std::move(fields)}});
+  };
+  const auto add_parts = [&]<class Part>(const PartList<M, Part>& list) {
+    add(list, fields_json<Part>());
+  };
   if constexpr (HasParts<M>) {
-    const auto add = [&]<class Part>(const PartList<M, Part>& list) {
-      json["lists"].push_back({{"name", list.name},
-                               {"fewest", list.fewest},
-                               {"most", list.most},
-                               {"fields", fields_json<Part>()}});
-    };
-    std::apply([&](const auto&... lists) { (add(lists), ...); }, M::parts());
+    std::apply([&](const auto&... lists) { (add_parts(lists), ...); }, M::parts());
+  }
+  if constexpr (HasLists<M>) {
+    std::apply([&](const auto&... lists) { (add(lists, Json::array({field_json(lists)})), ...); },
+               M::lists());
+  }
+  json["words"] = Json::array();
+  if constexpr (HasWords<M>) {
+    for (const auto& word : M::words()) {
+      json["words"].push_back(
+          {{"name", word.name}, {"rule", word.rule}, {"meaning", word.meaning}});
+    }
   }
   return json;
 }
@@ -81,6 +96,11 @@ std::string described(const Json& material, bool markdown) {
                list["fields"], markdown);
   }
   add_fields(text, "the material", material["fields"], markdown);
+  for (const auto& word : material["words"]) {
+    text += fmt::format(fmt::runtime(markdown ? "\n`{}`: {}; {}.\n" : " {}: {}; {}\n"),
+                        word["name"].get<std::string>(), word["meaning"].get<std::string>(),
+                        word["rule"].get<std::string>());
+  }
   return text;
 }
 

@@ -116,6 +116,9 @@ std::string material_section(const WholePath& path) {
   std::vector<TableRow> rows;
   std::visit(
       [&](const auto& m) {
+        visit_words(m, [&](const auto& word, const std::string& text) {
+          rows.push_back({{escaped(word.name), escaped(text), "", escaped(word.meaning)}});
+        });
         visit_fields(m, [&](const std::string& name, const auto& field, double value) {
           const auto found = sigma.find(name);
           const bool on_bound =

@@ -70,10 +70,10 @@ TYPED_TEST(MaterialContract, ComesBackFromJson) {
   EXPECT_EQ(values_of(material_from<TypeParam>(JsonObject(read, "test"))), values_of(material));
 }
 
-TYPED_TEST(MaterialContract, HasTheSameValueOverJetsAndTheRightDerivatives) {
-  static_assert(Spectral<TypeParam>);
+// Of a spectrum at one frequency.
+template <Spectral M>
+void expect_right_derivatives(const M& material) {
   using Jet = ceres::Jet<double, 1>;
-  const TypeParam material;
   const auto packed = pack(material);
   const double fx = 0.021, fy = 0.043;
   const auto at = [&](std::size_t k, double step) {
@@ -90,6 +90,11 @@ TYPED_TEST(MaterialContract, HasTheSameValueOverJetsAndTheRightDerivatives) {
     const double h = 1e-4;
     EXPECT_NEAR(value.v[0], (at(k, h) - at(k, -h)) / (2.0 * h), 1e-6 * std::abs(value.a));
   }
+}
+
+TYPED_TEST(MaterialContract, HasTheSameValueOverJetsAndTheRightDerivatives) {
+  static_assert(Spectral<TypeParam> || Grown<TypeParam>);
+  if constexpr (Spectral<TypeParam>) expect_right_derivatives(TypeParam{});
 }
 
 TYPED_TEST(MaterialContract, IsSynthesisedToTheSameBytesAtAnyThreadCount) {

@@ -32,6 +32,17 @@ struct Sea {
   std::vector<Wave<T>> waves;
   T level_mm{0.0};
   T floor{0.0};
+  std::vector<T> depths_mm{};
+  std::string tide{"ebb"};
+  static constexpr auto lists() {
+    return std::tuple{NumberList<Sea, T>{"depths_mm", &Sea::depths_mm, 0, 3, 0.1, 9.0, Scale::log,
+                                         "mm", "of the ground"}};
+  }
+  static constexpr auto words() {
+    return std::array{Word<Sea>{"tide", &Sea::tide,
+                                [](std::string_view text) { return !text.empty(); }, "a word",
+                                "where the water goes"}};
+  }
   static constexpr auto parts() {
     return std::tuple{PartList<Sea, Wave<T>>{"waves", &Sea::waves, 0, 4}};
   }
@@ -51,11 +62,13 @@ Sea<> some_sea(Seed seed) {
   }
   sea.level_mm = 2.0 * uniform(seed, 1) - 1.0;
   sea.floor = 2.0 * uniform(seed, 2);
+  for (int i = 0; i < count % 4; ++i) sea.depths_mm.push_back(0.1 + 8.9 * uniform(seed, i, 3));
+  sea.tide = count % 2 ? "flood" : "slack";
   return sea;
 }
 
-TEST(VisitFields, NamesEveryFieldPartsInOrder) {
-  const Sea<> sea{{{1.0, 0.1}, {2.0, 0.2}}, 0.5, 0.25};
+TEST(VisitFields, NamesEveryNumberPartsThenListsThenFields) {
+  const Sea<> sea{{{1.0, 0.1}, {2.0, 0.2}}, 0.5, 0.25, {3.0, 4.0}};
   std::vector<std::string> paths;
   std::vector<double> values;
   visit_fields(sea, [&](const std::string& path, const auto&, const double& value) {
@@ -63,9 +76,19 @@ TEST(VisitFields, NamesEveryFieldPartsInOrder) {
     values.push_back(value);
   });
   EXPECT_EQ(paths, (std::vector<std::string>{"waves[0].length_mm", "waves[0].angle_rad",
-                                             "waves[1].length_mm", "waves[1].angle_rad", "level_mm",
-                                             "floor"}));
-  EXPECT_EQ(values, (std::vector<double>{1.0, 0.1, 2.0, 0.2, 0.5, 0.25}));
+                                             "waves[1].length_mm", "waves[1].angle_rad",
+                                             "depths_mm[0]", "depths_mm[1]", "level_mm", "floor"}));
+  EXPECT_EQ(values, (std::vector<double>{1.0, 0.1, 2.0, 0.2, 3.0, 4.0, 0.5, 0.25}));
+}
+
+TEST(VisitWords, NamesEveryWord) {
+  Sea<> sea;
+  visit_words(sea, [](const auto& word, std::string& text) {
+    EXPECT_EQ(word.name, "tide");
+    EXPECT_EQ(text, "ebb");
+    text = "flood";
+  });
+  EXPECT_EQ(sea.tide, "flood");
 }
 
 RC_GTEST_PROP(Pack, IsUndoneByUnpack, (std::uint64_t seed)) {
@@ -79,6 +102,11 @@ RC_GTEST_PROP(Pack, IsUndoneByUnpack, (std::uint64_t seed)) {
     RC_ASSERT(close(again.waves[i].length_mm, sea.waves[i].length_mm));
     RC_ASSERT(again.waves[i].angle_rad == sea.waves[i].angle_rad);
   }
+  RC_ASSERT(again.depths_mm.size() == sea.depths_mm.size());
+  for (std::size_t i = 0; i < sea.depths_mm.size(); ++i) {
+    RC_ASSERT(close(again.depths_mm[i], sea.depths_mm[i]));
+  }
+  RC_ASSERT(again.tide == sea.tide);
   RC_ASSERT(again.level_mm == sea.level_mm);
   RC_ASSERT(close(again.floor, sea.floor));
 }

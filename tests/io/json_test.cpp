@@ -133,6 +133,17 @@ struct Cloth {
   static constexpr std::string_view name = "cloth";
   T turn_rad{0.5};
   std::vector<Part<T>> parts_list{{}, {}};
+  std::vector<T> widths_mm{1.0, 2.0};
+  std::string weave = "twill";
+  static constexpr auto lists() {
+    return std::tuple{
+        NumberList<Cloth, T>{"widths_mm", &Cloth::widths_mm, 1, 2, 0.5, 5.0, Scale::log, "mm", ""}};
+  }
+  static constexpr auto words() {
+    return std::array{Word<Cloth>{"weave", &Cloth::weave,
+                                  [](std::string_view text) { return text.ends_with("ll"); },
+                                  "a weave", ""}};
+  }
   static constexpr auto fields() {
     return std::array{
         Field<Cloth, T>{"turn_rad", &Cloth::turn_rad, 0.0, 3.2, Scale::half_turn, "rad", ""}};
@@ -146,9 +157,13 @@ TEST(MaterialJson, ReturnsTheMaterialItCameFrom) {
   Cloth<> cloth;
   cloth.turn_rad = 1.25;
   cloth.parts_list = {{0.1}, {1.0 / 3.0}, {10.0}};
+  cloth.widths_mm = {2.0 / 3.0};
+  cloth.weave = "drill";
   const Json json = Json::parse(json_of(cloth).dump());
   const auto again = material_from<Cloth<>>(JsonObject(json, "f.json: parameters"));
   EXPECT_EQ(again.turn_rad, cloth.turn_rad);
+  EXPECT_EQ(again.widths_mm, cloth.widths_mm);
+  EXPECT_EQ(again.weave, cloth.weave);
   ASSERT_EQ(again.parts_list.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(again.parts_list[i].size_mm, cloth.parts_list[i].size_mm);
@@ -156,18 +171,30 @@ TEST(MaterialJson, ReturnsTheMaterialItCameFrom) {
 }
 
 TEST(MaterialJson, WrapsDirectionsAndHoldsBounds) {
-  const auto read = [](const std::string& text) {
-    const Json json = Json::parse(text);
+  const auto read = [](const std::string& pieces, const std::string& others) {
+    const Json json = Json::parse("{\"pieces\": " + pieces + ", " + others + "}");
     return material_from<Cloth<>>(JsonObject(json, "f.json: parameters"));
   };
-  EXPECT_NEAR(read(R"({"pieces": [{"size_mm": 1}], "turn_rad": -1})").turn_rad,
+  const std::string good = R"("widths_mm": [1], "weave": "twill")";
+  EXPECT_NEAR(read(R"([{"size_mm": 1}])", R"("turn_rad": -1, )" + good).turn_rad,
               std::numbers::pi - 1.0, 1e-15);
-  EXPECT_THAT(error_of([&] { read(R"({"pieces": [{"size_mm": 11}], "turn_rad": 0})"); }),
+  const auto said = [&](const std::string& pieces, const std::string& others) {
+    return error_of([&] { read(pieces, others); });
+  };
+  EXPECT_THAT(said(R"([{"size_mm": 11}])", R"("turn_rad": 0, )" + good),
               HasSubstr("pieces[0]: \"size_mm\" must lie between 0.1 and 10"));
-  EXPECT_THAT(error_of([&] { read(R"({"pieces": [], "turn_rad": 0})"); }),
+  EXPECT_THAT(said("[]", R"("turn_rad": 0, )" + good),
               HasSubstr("\"pieces\" takes 1 to 3 entries"));
-  EXPECT_THAT(error_of([&] { read(R"({"pieces": [{"size_mm": 1}]})"); }),
-              HasSubstr("\"turn_rad\" is missing"));
+  EXPECT_THAT(said(R"([{"size_mm": 1}])", good), HasSubstr("\"turn_rad\" is missing"));
+  const std::string rest = R"("turn_rad": 0, "weave": "twill", "widths_mm": )";
+  EXPECT_THAT(said(R"([{"size_mm": 1}])", rest + "[1, 9]"),
+              HasSubstr("\"widths_mm[1]\" must lie between 0.5 and 5"));
+  EXPECT_THAT(said(R"([{"size_mm": 1}])", rest + "[1, 2, 3]"),
+              HasSubstr("\"widths_mm\" takes 1 to 2 entries"));
+  EXPECT_THAT(said(R"([{"size_mm": 1}])", rest + "[\"1\"]"),
+              HasSubstr("\"widths_mm\" must be a list of 1 finite numbers"));
+  EXPECT_THAT(said(R"([{"size_mm": 1}])", R"("turn_rad": 0, "widths_mm": [1], "weave": "felt")"),
+              HasSubstr("\"weave\" must be a weave"));
 }
 
 }  // namespace
