@@ -15,21 +15,6 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t most_bytes = std::uintmax_t(64) << 20;
 constexpr int deepest = 64;
 
-std::string text_of(const fs::path& path) {
-  std::error_code problem;
-  if (!fs::exists(path, problem)) throw Error(path.string() + ": no such file; check the name");
-  if (!fs::is_regular_file(path, problem)) {
-    throw Error(path.string() + ": is not a file; name a JSON file");
-  }
-  if (fs::file_size(path, problem) > most_bytes) {
-    throw Error(path.string() + ": is larger than 64 MB; this cannot be one of our files");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream) throw Error(path.string() + ": cannot be read; check its rights");
-  return text;
-}
-
 // Follows the parser and refuses what it would let pass: a key given twice, endless nesting.
 class Watch {
  public:
@@ -78,8 +63,27 @@ std::string quoted(const std::string& key) {
 
 }  // namespace
 
+std::string text_of_file(const fs::path& path) {
+  std::error_code problem;
+  if (!fs::exists(path, problem)) throw Error(path.string() + ": no such file; check the name");
+  if (!fs::is_regular_file(path, problem)) {
+    throw Error(path.string() + ": is not a file; name a file");
+  }
+  if (fs::file_size(path, problem) > most_bytes) {
+    throw Error(path.string() + ": is larger than 64 MB; this cannot be one of our files");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream) throw Error(path.string() + ": cannot be read; check its rights");
+  return text;
+}
+
+Json read_plain_json(const fs::path& path) {
+  return parsed(text_of_file(path), path.string());
+}
+
 Json read_json(const fs::path& path, const std::string& kind) {
-  Json json = parsed(text_of(path), path.string());
+  Json json = parsed(text_of_file(path), path.string());
   const auto stated = json.is_object() ? json.find("hada") : json.end();
   if (!json.is_object() || stated == json.end() || !stated->is_string()) {
     throw Error(path.string() +

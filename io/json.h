@@ -22,6 +22,13 @@ using Json = nlohmann::ordered_json;
 /// throws  Error naming the file if it is missing, is not JSON, or is of another kind or schema
 Json read_json(const std::filesystem::path& path, const std::string& kind);
 
+/// The JSON file of another program, whatever it holds; as strict about its form.
+Json read_plain_json(const std::filesystem::path& path);
+
+/// The text of a file of words, at most 64 MB.
+/// throws  Error naming the file if it is missing, a folder, larger or unreadable
+std::string text_of_file(const std::filesystem::path& path);
+
 /// One object of a file that is being read: every key must be asked for, and every number finite.
 ///
 /// where  "lights.json: lights[2]": how errors name the place
