@@ -1,11 +1,6 @@
 #include "app/command_line.h"
 
-#include <cmath>
-#include <memory>
-#include <optional>
-
-#include <CLI/CLI.hpp>
-
+#include "app/command_list.h"
 #include "app/commands/calibrate.h"
 #include "app/commands/compare.h"
 #include "app/commands/demo.h"
@@ -22,63 +17,10 @@
 #include "core/error.h"
 #include "reconstruct/estimator.h"
 
-// The only unit that includes CLI11. A command is an entry here: its words, its example, and the
-// struct of arguments that its function takes.
+// A command is an entry here: its words, its example, and the struct of arguments that its function
+// takes.
 namespace hada {
 namespace {
-
-CLI::Validator positive() {
-  return CLI::Validator(
-      [](std::string& text) {
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        return *end == '\0' && value > 0.0 && std::isfinite(value)
-                   ? std::string()
-                   : text + " is not a number greater than 0";
-      },
-      "");
-}
-
-class Commands {
- public:
-  explicit Commands(Request& request) : request_(request) {
-    app_.set_version_flag("--version", "hada " + version());
-    app_.footer("Example:\n  hada demo -o out/demo");
-    app_.require_subcommand(1);
-    add_common(app_);
-  }
-
-  CLI::App& app() { return app_; }
-
-  // A command that runs `work` with its `Arguments`; `declare` says which words fill them.
-  template <class Arguments, class Declare>
-  void add(const std::string& name, const std::string& summary, const std::string& example,
-           void (*work)(const Arguments&, const Terminal&), const Declare& declare) {
-    CLI::App& command = *app_.add_subcommand(name, summary);
-    command.footer("Example:\n  " + example);
-    const auto arguments = std::make_shared<Arguments>();
-    declare(command, *arguments);
-    add_common(command);
-    command.callback([this, work, arguments] {
-      request_.work = [work, arguments](const Terminal& terminal) { work(*arguments, terminal); };
-    });
-  }
-
- private:
-  void add_common(CLI::App& command) {
-    command.add_option("--threads", request_.threads, "use N threads (default: all cores)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    command.add_flag("--quiet", request_.manner.quiet, "print errors only");
-    command.add_flag("--json", request_.manner.json, "print the result as JSON");
-  }
-
-  Request& request_;
-  CLI::App app_{
-      "hada measures a real surface, finds the material that explains it, and makes more "
-      "of it.",
-      "hada"};
-};
 
 constexpr const char* input_words = "surface folder, height map or picture";
 constexpr const char* pitch_words = "distance between pixels, mm";
@@ -86,11 +28,6 @@ constexpr const char* pitch_words = "distance between pixels, mm";
 template <class Arguments>
 void add_capture(CLI::App& command, Arguments& a) {
   command.add_option("capture", a.capture, "folder of pictures, one light each")->required();
-}
-
-template <class Arguments>
-CLI::Option* add_out(CLI::App& command, Arguments& a, const std::string& words) {
-  return command.add_option("-o,--out", a.out, words);
 }
 
 template <class Arguments>
@@ -273,6 +210,7 @@ Request parse_command_line(int count, const char* const* words) {
   add_measuring(commands);
   add_modelling(commands);
   add_virtual(commands);
+  add_folding(commands);
   try {
     commands.app().parse(count, words);
   } catch (const CLI::CallForHelp&) {
@@ -280,8 +218,11 @@ Request parse_command_line(int count, const char* const* words) {
   } catch (const CLI::CallForVersion& call) {
     request.text = std::string(call.what()) + "\n";
   } catch (const CLI::ParseError& error) {
-    const auto chosen = commands.app().get_subcommands();
-    const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    std::string name;
+    for (auto chosen = commands.app().get_subcommands(); !chosen.empty();
+         chosen = chosen.front()->get_subcommands()) {
+      name += " " + chosen.front()->get_name();
+    }
     throw Error(sentence(error.what()) + "; see hada" + name + " --help");
   }
   return request;

@@ -49,6 +49,7 @@ const std::map<std::string, Names> third_parties_for = {
 
 // The headers that may include a third party; only sources, or another of them, include these.
 const std::map<std::string, Names> doors = {
+    {"app/command_list.h", {"CLI"}},
     {"io/json.h", {"nlohmann"}},
     {"io/json_light.h", {}},
     {"fit/solve.h", {"ceres"}},
