@@ -6,12 +6,13 @@
 #include "core/extent.h"
 #include "core/random.h"
 #include "core/surface.h"
+#include "synth/wood.h"
 #include "synth/wrinkle.h"
 
 namespace hada {
 
 /// Every material that hada knows: the variant is the registry.
-using Material = std::variant<Wrinkle<>>;
+using Material = std::variant<Wrinkle<>, Wood<>>;
 
 /// A material of which only the power spectrum is a fact; the phases are luck.
 template <class M>

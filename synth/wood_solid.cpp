@@ -1,0 +1,216 @@
+#include "synth/wood_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "synth/fractal.h"
+
+namespace hada {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+// Which random field a key belongs to.
+enum Stream : Seed { wobble = 11, fluctuation = 22, fibres = 33, scattered = 44, boundary = 55 };
+
+double eased(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// 1 well inside a disc, 0 well outside, softened over `soft`.
+double inside_disc(double distance, double radius, double soft) {
+  return std::clamp(0.5 + (radius - distance) / soft, 0.0, 1.0);
+}
+
+double median_width(const std::vector<double>& radii) {
+  std::vector<double> widths;
+  for (std::size_t k = 1; k < radii.size(); ++k) widths.push_back(radii[k] - radii[k - 1]);
+  if (widths.empty()) return radii.empty() ? 1.0 : radii.front();
+  std::nth_element(widths.begin(), widths.begin() + std::ptrdiff_t(widths.size() / 2),
+                   widths.end());
+  return std::max(widths[widths.size() / 2], 1e-6);
+}
+
+}  // namespace
+
+WoodSolid::WoodSolid(const Wood<>& wood, Seed seed) : wood_(wood), seed_(seed) {
+  const auto& radii = wood_.ring_radii_mm;
+  usual_width_ = median_width(radii);
+  if (!radii.empty() && radii.front() > 1.6 * usual_width_)
+    inner_years_ = std::max(0.0, std::round(radii.front() / usual_width_) - 1.0);
+  const double widest = wood_.vessel_radius_mm + 3.0 * wood_.vessel_radius_sd_mm;
+  const double spacing = 1.0 / std::sqrt(std::max(wood_.vessel_density_per_mm2, 1e-6));
+  vessel_cell_ = std::max(spacing, 2.0 * widest);
+}
+
+/// Rings from the pith; those before the first that is listed are of one width, and nothing is
+/// known beyond the last.
+double WoodSolid::year_at(double rho) const {
+  const auto& radii = wood_.ring_radii_mm;
+  if (radii.empty()) return 0.5 * std::min(rho / usual_width_, 1.0);
+  if (rho < radii.front()) return std::max(rho, 0.0) / radii.front() * (inner_years_ + 1.0);
+  const auto after = std::upper_bound(radii.begin(), radii.end(), rho);
+  const double k = double(after - radii.begin());
+  if (after == radii.end()) {
+    const double most = 1.0 - wood_.latewood_share;  // earlywood until the next ring is known
+    return inner_years_ + k + std::min((rho - radii.back()) / usual_width_, 0.999 * most);
+  }
+  return inner_years_ + k + (rho - *(after - 1)) / (*after - *(after - 1));
+}
+
+/// The effective radius of the boundary of ring `year`, a whole number.
+double WoodSolid::radius_of(double year) const {
+  const auto& radii = wood_.ring_radii_mm;
+  if (radii.empty()) return year * usual_width_;
+  const double listed = year - inner_years_ - 1.0;
+  if (listed < 0.0) return radii.front() * year / (inner_years_ + 1.0);
+  const std::size_t k = std::size_t(listed);
+  return k < radii.size() ? radii[k] : radii.back() + double(k + 1 - radii.size()) * usual_width_;
+}
+
+/// The phase of Kawai's equation 3: integral of G / r from 0 to z.
+double WoodSolid::turn_at(double r, double year, double z) const {
+  const double wave = turn / wood_.wave_length_mm;
+  double arc = wood_.spiral * z;
+  if (wood_.wave_amplitude > 0.0) {
+    arc += wood_.wave_amplitude / wave *
+           (std::cos(wood_.wave_phase_rad) - std::cos(wave * z + wood_.wave_phase_rad));
+  }
+  if (wood_.interlock_amplitude > 0.0) {
+    arc += wood_.interlock_amplitude * z *
+           std::sin(turn * year / wood_.interlock_period + wood_.interlock_phase_rad);
+  }
+  if (wood_.fluctuation > 0.0) {
+    // The integral of the fluctuation is the fractal; its slope stays below 4 per lattice step.
+    const double size = wood_.fluctuation_mm;
+    const Seed key = hash(seed_, fluctuation);
+    arc += 0.25 * wood_.fluctuation * size *
+           (fractal_noise(key, z / size, year / 4.0) - fractal_noise(key, 0.0, year / 4.0));
+  }
+  return arc / std::max(r, 1e-6);
+}
+
+WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
+  const auto [x, y, z] = at;
+  const double dx = x - wood_.pith_mm[0] - wood_.pith_lean[0] * z;
+  const double dy = y - wood_.pith_mm[1] - wood_.pith_lean[1] * z;
+  Place place;
+  place.r = std::sqrt(dx * dx + dy * dy);
+  place.theta = std::atan2(dy, dx);
+  place.rho = effective_radius(wood_.lobes, place.r, place.theta) + wood_.taper * z;
+  if (wood_.wobble_mm > 0.0) {
+    // Looked up along the circle, so that it closes; it dies out towards the pith.
+    const double around = place.r / (place.r + usual_width_);
+    place.rho += wood_.wobble_mm * around *
+                 fractal_noise(hash(seed_, wobble), 3.0 * dx / place.r + 0.05 * place.rho,
+                               3.0 * dy / place.r + 0.01 * z);
+  }
+  place.year = year_at(place.rho);
+  const double angle = place.theta - turn_at(place.r, place.year, z);
+  place.section_x = place.rho * std::cos(angle);
+  place.section_y = place.rho * std::sin(angle);
+  return place;
+}
+
+double WoodSolid::gradient_at(const Place& place, double z) const {
+  const double h = 1e-3 * std::min(wood_.wave_length_mm, wood_.fluctuation_mm);
+  const double up = turn_at(place.r, place.year, z + h);
+  return (up - turn_at(place.r, place.year, z - h)) / (2.0 * h) * place.r;
+}
+
+StemVector WoodSolid::fibre_at(const StemVector& at) const {
+  const Place place = place_at(at);
+  const double slope = gradient_at(place, at[2]);
+  const double length = std::sqrt(1.0 + slope * slope);
+  return {-slope * std::sin(place.theta) / length, slope * std::cos(place.theta) / length,
+          1.0 / length};
+}
+
+/// How dark the vessels of a uniform scatter make the place, 0 to 1 (Kawai, section 5.3).
+double WoodSolid::scattered_vessels(const Place& place, double soft_mm) const {
+  const double in_cell = wood_.vessel_density_per_mm2 * vessel_cell_ * vessel_cell_;
+  const auto i = std::int64_t(std::floor(place.section_x / vessel_cell_));
+  const auto j = std::int64_t(std::floor(place.section_y / vessel_cell_));
+  const Seed key = hash(seed_, scattered);
+  double dark = 0.0;
+  for (std::int64_t a = i - 1; a <= i + 1; ++a) {
+    for (std::int64_t b = j - 1; b <= j + 1; ++b) {
+      // A Poisson number of vessels to a cell, by multiplying uniforms (Knuth).
+      double product = uniform(key, a, b, 0);
+      const double least = std::exp(-in_cell);
+      for (std::int64_t n = 1; product > least && n < 64; ++n) {
+        const double x = (double(a) + uniform(key, a, b, 4 * n)) * vessel_cell_;
+        const double y = (double(b) + uniform(key, a, b, 4 * n + 1)) * vessel_cell_;
+        const double radius =
+            wood_.vessel_radius_mm + wood_.vessel_radius_sd_mm * gaussian(key, a, b, 4 * n + 2);
+        const double distance = std::hypot(place.section_x - x, place.section_y - y);
+        if (distance < radius + soft_mm)
+          dark = std::max(dark, inside_disc(distance, radius, soft_mm));
+        product *= uniform(key, a, b, 4 * n + 3);
+      }
+    }
+  }
+  return dark;
+}
+
+/// The same of the vessels along the boundary inside the place (Kawai, section 5.4).
+double WoodSolid::boundary_vessels(const Place& place, double soft_mm) const {
+  const double ring = std::floor(place.year);
+  const double boundary_rho = radius_of(ring);
+  const double radius = wood_.ring_vessel_radius_mm;
+  if (ring < 1.0 || place.rho - boundary_rho > 5.0 * radius + soft_mm) return 0.0;
+  const double count = std::max(1.0, std::floor(turn * wood_.ring_vessels_per_mm * boundary_rho));
+  const double angle = std::atan2(place.section_y, place.section_x);
+  const double here = std::floor(angle / turn * count);
+  const double reach = std::ceil(1.0 + (radius + soft_mm) * wood_.ring_vessels_per_mm);
+  const Seed key = hash(seed_, boundary, std::int64_t(ring));
+  double dark = 0.0;
+  for (double k = here - reach; k <= here + reach; k += 1.0) {
+    const auto index = std::int64_t(k - count * std::floor(k / count));
+    const double theta = (k + 0.5 + 0.8 * (uniform(key, index, 0) - 0.5)) * turn / count;
+    const double size = radius * (0.75 + 0.5 * uniform(key, index, 1));
+    const double rho = boundary_rho + size * 1.15 + 2.0 * radius * uniform(key, index, 2);
+    const double distance = std::hypot(place.section_x - rho * std::cos(theta),
+                                       place.section_y - rho * std::sin(theta));
+    dark = std::max(dark, inside_disc(distance, size, soft_mm));
+  }
+  return dark;
+}
+
+/// What fibres and vessels multiply the colour by.
+double WoodSolid::shade_at(const Place& place, double soft_mm) const {
+  double shade = 1.0;
+  if (wood_.fibre_shift > 0.0) {
+    shade += wood_.fibre_shift * value_noise(hash(seed_, fibres), place.section_x / wood_.fibre_mm,
+                                             place.section_y / wood_.fibre_mm);
+  }
+  double dark = 0.0;
+  if (wood_.vessel_density_per_mm2 > 0.0) dark = scattered_vessels(place, soft_mm);
+  if (wood_.ring_vessels_per_mm > 0.0) dark = std::max(dark, boundary_vessels(place, soft_mm));
+  return shade * (1.0 - dark * (1.0 - wood_.vessel_shade));
+}
+
+std::array<float, 3> WoodSolid::colour_at(const Place& place, double soft_mm) const {
+  const double phase = place.year - std::floor(place.year);
+  const double start = 1.0 - wood_.latewood_share;
+  const double onset = std::max(wood_.latewood_onset * wood_.latewood_share, 1e-3);
+  double late = eased((phase - start) / onset);
+  // A pixel that a boundary runs through sees both sides of it.
+  const double to_inner = place.rho - radius_of(std::floor(place.year));
+  if (place.year >= 1.0 && to_inner < 0.5 * soft_mm)
+    late += (1.0 - late) * (0.5 - to_inner / soft_mm);
+  const double to_outer = radius_of(std::floor(place.year) + 1.0) - place.rho;
+  if (to_outer < 0.5 * soft_mm) late -= late * (0.5 - to_outer / soft_mm);
+  const double shade = shade_at(place, soft_mm);
+  std::array<float, 3> colour;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double early = wood_.early_rgb[c];
+    colour[c] = float(std::clamp((early + late * (wood_.late_rgb[c] - early)) * shade, 0.0, 1.0));
+  }
+  return colour;
+}
+
+}  // namespace hada

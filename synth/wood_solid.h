@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/random.h"
+#include "synth/wood.h"
+
+namespace hada {
+
+/// A place in the stem, or a direction there.
+using StemVector = std::array<double, 3>;
+
+/// A stem ready to be asked what is where. Coordinates are those of `Wood`.
+class WoodSolid {
+ public:
+  WoodSolid(const Wood<>& wood, Seed seed);
+
+  /// What belongs to a place: how far out and when it grew, and where its fibre crosses z = 0.
+  struct Place {
+    double r, theta;              // from the pith at its height
+    double rho;                   // effective radius
+    double year;                  // time of growth t, in rings from the pith; whole at a boundary
+    double section_x, section_y;  // the fibre at z = 0, in the section with round rings
+  };
+  Place place_at(const StemVector& at) const;
+
+  /// The fibre gradient there: slope of the fibre on its ring.
+  double gradient_at(const Place& place, double z) const;
+
+  /// The direction of the fibre, unit length, up the stem.
+  StemVector fibre_at(const StemVector& at) const;
+
+  /// Linear albedo, edges softened over `soft_mm`.
+  std::array<float, 3> colour_at(const Place& place, double soft_mm) const;
+
+ private:
+  double year_at(double rho) const;
+  double radius_of(double year) const;
+  double turn_at(double r, double year, double z) const;
+  double shade_at(const Place& place, double soft_mm) const;
+  double scattered_vessels(const Place& place, double soft_mm) const;
+  double boundary_vessels(const Place& place, double soft_mm) const;
+
+  Wood<> wood_;
+  Seed seed_;
+  double usual_width_ = 1.0;  // of a ring, mm
+  double inner_years_ = 0.0;  // rings inside the first that is listed
+  double vessel_cell_ = 1.0;  // mm
+};
+
+}  // namespace hada
