@@ -1,6 +1,7 @@
 #include "app/fit_material.h"
 
 #include "app/measurement.h"
+#include "fit/wood.h"
 #include "fit/wrinkle.h"
 
 namespace hada {
@@ -15,6 +16,10 @@ Fit<Wrinkle<>> fit_like(const Wrinkle<>&, Surface surface, const FitMaterialOpti
                      "The input has no height: its brightness (0 to 1) was fitted instead, so "
                      "amplitudes are brightness while lengths and angles keep their meaning.");
   return fit;
+}
+
+Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOptions&) {
+  return fit_wood(surface);
 }
 
 }  // namespace

@@ -21,6 +21,12 @@ auto& first_list(M& material) {
   return material.*(std::get<0>(std::decay_t<M>::parts()).member);
 }
 
+/// Parts whose order is a matter of luck; those of other materials have theirs by meaning.
+template <class M>
+concept HasShuffledParts = HasParts<M> && requires(const M& material) {
+  distance(first_list(material)[0], first_list(material)[0]);
+};
+
 std::vector<int> counting(std::size_t count) {
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
@@ -41,7 +47,7 @@ int part_count(const Material& material) {
 std::vector<int> part_order(const Material& found, const Material& truth) {
   const auto match = [&](const auto& wanted) {
     using M = std::decay_t<decltype(wanted)>;
-    if constexpr (HasParts<M>) {
+    if constexpr (HasShuffledParts<M>) {
       const auto& targets = first_list(wanted);
       const auto& parts = first_list(std::get<M>(found));
       auto order = counting(parts.size());
@@ -60,6 +66,9 @@ std::vector<int> part_order(const Material& found, const Material& truth) {
       } while (std::next_permutation(order.begin(), order.end()));
       best.resize(targets.size());
       return best;
+    } else if constexpr (HasParts<M>) {
+      const auto wished = first_list(wanted).size();
+      if (first_list(std::get<M>(found)).size() >= wished) return counting(wished);
     }
     return std::vector<int>{};
   };

@@ -1,0 +1,91 @@
+#include "fit/ring_radii.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quantile.h"
+#include "measure/ring_profile.h"
+
+namespace hada {
+namespace {
+
+constexpr double blur_px = 1.0;       // of the slopes that are summed over sectors
+constexpr double small_rise = 0.08;   // of the spread of the profile: noise
+constexpr double smallest_px = 4.0;   // radius of a ring: below, it is the pith itself
+constexpr std::size_t cut_part = 10;  // of the sectors, one in so many is cut at each end
+
+/// The mean slope over all sectors, column by column; the extreme ones are left out.
+std::vector<double> mean_slopes(const Unrolled& flat, double pitch) {
+  const int cols = flat.values.cols();
+  std::vector<std::vector<double>> seen{std::size_t(cols)};
+  for (int s = 0; s < flat.values.rows(); ++s) {
+    const auto slopes = slopes_along(flat.values.row(s), flat.step / pitch, blur_px);
+    for (std::size_t col = 0; col < std::size_t(cols); ++col) {
+      if (std::isfinite(slopes[col])) seen[col].push_back(slopes[col]);
+    }
+  }
+  std::vector<double> mean(std::size_t(cols), 0.0);
+  for (std::size_t col = 0; col < std::size_t(cols); ++col) {
+    auto& values = seen[col];
+    if (values.empty()) continue;
+    std::sort(values.begin(), values.end());
+    const std::size_t cut = values.size() / cut_part;
+    double sum = 0.0;
+    for (std::size_t i = cut; i < values.size() - cut; ++i) sum += values[i];
+    mean[col] = sum / double(values.size() - 2 * cut);
+  }
+  return mean;
+}
+
+const RingEdge* nearest_within(const std::vector<RingEdge>& edges, double rho, double reach) {
+  const RingEdge* best = nullptr;
+  for (const RingEdge& edge : edges) {
+    const double distance = std::abs(edge.rho - rho);
+    if (distance >= reach) continue;
+    reach = distance;
+    best = &edge;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<double> ring_radii(const Unrolled& flat, double pitch) {
+  auto profile = mean_slopes(flat, pitch);
+  double sum = 0.0;
+  for (double& value : profile) value = sum += value * flat.step / pitch;
+  const double spread = quantile(profile, 0.95) - quantile(profile, 0.05);
+  std::vector<double> radii;
+  for (const auto& boundary : ring_boundaries(profile, {.noise = small_rise * spread})) {
+    const double rho = flat.rho(boundary.index);
+    if (rho > smallest_px * pitch) radii.push_back(rho);
+  }
+  return radii;
+}
+
+std::vector<RingChain> edges_of_rings(const std::vector<double>& radii,
+                                      const std::vector<std::vector<RingEdge>>& edges,
+                                      const Unrolled& flat, double reach, double pitch) {
+  std::vector<RingChain> rings(radii.size());
+  for (std::size_t k = 0; k < radii.size(); ++k) {
+    const double inward = k > 0 ? 0.4 * (radii[k] - radii[k - 1]) : reach;
+    const double outward = k + 1 < radii.size() ? 0.4 * (radii[k + 1] - radii[k]) : reach;
+    const double most = std::min({reach, inward, outward});
+    for (const auto& sector : edges) {
+      if (const RingEdge* edge = nearest_within(sector, radii[k], most))
+        rings[k].push_back(middle_of_rise(*edge, flat, pitch));
+    }
+  }
+  return rings;
+}
+
+int sectors_at(const Unrolled& flat, double rho) {
+  const int col = int(std::lround((rho - flat.first) / flat.step));
+  int count = 0;
+  for (int s = 0; s < flat.values.rows(); ++s) {
+    if (flat.values.contains(s, col) && std::isfinite(flat.values(s, col))) ++count;
+  }
+  return count;
+}
+
+}  // namespace hada

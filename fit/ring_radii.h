@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/ring_edges.h"
+#include "fit/unrolled.h"
+
+namespace hada {
+
+/// Effective radii where all sectors together see a ring end, rising.
+std::vector<double> ring_radii(const Unrolled& flat, double pitch);
+
+/// The edges next to each radius, ring by ring, moved to the middle of their rise.
+///
+/// reach  how far an edge may lie from its radius; never more than 0.4 of the way to the next ring
+std::vector<RingChain> edges_of_rings(const std::vector<double>& radii,
+                                      const std::vector<std::vector<RingEdge>>& edges,
+                                      const Unrolled& flat, double reach, double pitch);
+
+/// How many sectors of `flat` see the wood at this effective radius.
+int sectors_at(const Unrolled& flat, double rho);
+
+}  // namespace hada

@@ -1,0 +1,205 @@
+#include "fit/ring_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "core/quantile.h"
+
+namespace hada {
+namespace {
+
+constexpr double lobe_prior = 0.08;  // a typical amplitude of order 2; others by 2 / order
+constexpr int rounds = 12;
+constexpr double smallest_unit = 0.05;  // of a relative scatter
+constexpr double loss_scale = 2.0;      // scatters, of the Cauchy loss
+constexpr int longest_lag = 12;         // sectors over which scatter may hang together
+
+Eigen::VectorXd packed(const GrowthFrame& frame) {
+  Eigen::VectorXd state(2 + 2 * Eigen::Index(frame.lobes.size()));
+  state.head<2>() = frame.pith;
+  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
+    state[Eigen::Index(2 + 2 * l)] = frame.lobes[l].cosine;
+    state[Eigen::Index(3 + 2 * l)] = frame.lobes[l].sine;
+  }
+  return state;
+}
+
+GrowthFrame unpacked(GrowthFrame frame, const Eigen::VectorXd& state) {
+  frame.pith = state.head<2>();
+  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
+    frame.lobes[l].cosine = state[Eigen::Index(2 + 2 * l)];
+    frame.lobes[l].sine = state[Eigen::Index(3 + 2 * l)];
+  }
+  return frame;
+}
+
+/// The derivatives of the effective radius at `place` with respect to the packed frame.
+Eigen::VectorXd slopes_at(const GrowthFrame& frame, const Eigen::Vector2d& place) {
+  Eigen::VectorXd slopes(2 + 2 * Eigen::Index(frame.lobes.size()));
+  const Eigen::Vector2d arm = place - frame.pith;
+  const double r = arm.norm(), theta = std::atan2(arm.y(), arm.x());
+  const double h = 1e-5 * std::max(r, 1e-6);
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d move = h * Eigen::Vector2d::Unit(axis);
+    slopes[axis] = (frame.rho_of(place - move) - frame.rho_of(place + move)) / (2.0 * h);
+  }
+  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
+    const auto& lobe = frame.lobes[l];
+    const double share = r * share_at(lobe, r), angle = lobe.order * theta;
+    slopes[Eigen::Index(2 + 2 * l)] = share * std::cos(angle);
+    slopes[Eigen::Index(3 + 2 * l)] = share * std::sin(angle);
+  }
+  return slopes;
+}
+
+/// What the normal equations are made of, the radii already eliminated.
+struct Reduced {
+  Eigen::MatrixXd normal;
+  Eigen::VectorXd right;
+  std::vector<double> weight, mean;    // of each ring: sum of weights, mean effective radius
+  std::vector<Eigen::VectorXd> slope;  // of each ring: mean derivatives
+};
+
+Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFrame& frame,
+                const std::vector<double>& rho, const std::vector<double>& weights) {
+  const Eigen::Index size = packed(frame).size();
+  Reduced sums{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size),
+               std::vector<double>(std::size_t(rings), 1e-300),
+               std::vector<double>(std::size_t(rings), 0.0),
+               std::vector<Eigen::VectorXd>(std::size_t(rings), Eigen::VectorXd::Zero(size))};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto ring = std::size_t(points[i].ring);
+    const auto slope = slopes_at(frame, points[i].place);
+    sums.weight[ring] += weights[i];
+    sums.mean[ring] += weights[i] * rho[i];
+    sums.slope[ring] += weights[i] * slope;
+    sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(slope, weights[i]);
+    sums.right += weights[i] * rho[i] * slope;
+  }
+  sums.normal = sums.normal.selfadjointView<Eigen::Lower>();
+  for (std::size_t ring = 0; ring < std::size_t(rings); ++ring) {
+    const double w = sums.weight[ring];
+    sums.mean[ring] /= w;
+    sums.slope[ring] /= w;
+    sums.normal -= w * sums.slope[ring] * sums.slope[ring].transpose();
+    sums.right -= w * sums.mean[ring] * sums.slope[ring];
+  }
+  return sums;
+}
+
+/// 1 over the variance that the prior leaves each lobe, 0 for the pith.
+Eigen::VectorXd prior_of(const GrowthFrame& frame) {
+  Eigen::VectorXd precision = Eigen::VectorXd::Zero(packed(frame).size());
+  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
+    const double typical = lobe_prior * 2.0 / std::max(frame.lobes[l].order, 2.0);
+    precision.segment<2>(Eigen::Index(2 + 2 * l)).setConstant(1.0 / (typical * typical));
+  }
+  return precision;
+}
+
+/// How many neighbours on a ring scatter as one: 1 + 2 sum of their correlations.
+double design_effect(const std::vector<RingPoint>& points, const std::vector<double>& residuals,
+                     double scatter) {
+  double effect = 1.0;
+  for (std::size_t lag = 1; lag <= longest_lag; ++lag) {
+    double product = 0.0, square = 0.0;
+    for (std::size_t i = lag; i < points.size(); ++i) {
+      if (points[i].ring != points[i - lag].ring) continue;
+      const double a = std::clamp(residuals[i], -3.0 * scatter, 3.0 * scatter);
+      const double b = std::clamp(residuals[i - lag], -3.0 * scatter, 3.0 * scatter);
+      product += a * b;
+      square += 0.5 * (a * a + b * b);
+    }
+    if (product <= 0.05 * square) break;
+    effect += 2.0 * product / square;
+  }
+  return effect;
+}
+
+}  // namespace
+
+double gain_of(const RingShape& richer, const RingShape& plainer) {
+  // Not `independent`: what hangs together from point to point is what more lobes could follow.
+  const double points = 0.5 * richer.points;
+  const double more =
+      2.0 * (double(richer.frame.lobes.size()) - double(plainer.frame.lobes.size()));
+  return 2.0 * points * std::log(plainer.scatter / richer.scatter) - more * std::log(points);
+}
+
+RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const GrowthFrame& start,
+                       Scatter scatter) {
+  RingShape shape;
+  shape.frame = start;
+  const Eigen::VectorXd prior = prior_of(start);
+  std::vector<double> rho(points.size()), residuals(points.size()), weights(points.size(), 1.0);
+  std::vector<double> unit(points.size(), 1.0);  // of the scatter of each point
+  const auto look = [&] {
+    for (std::size_t i = 0; i < points.size(); ++i) rho[i] = shape.frame.rho_of(points[i].place);
+    // The median of a ring does not mind points of another that were taken for its own.
+    std::vector<std::vector<double>> of_ring{std::size_t(rings)};
+    for (std::size_t i = 0; i < points.size(); ++i)
+      of_ring[std::size_t(points[i].ring)].push_back(rho[i]);
+    std::vector<double> sizes;
+    if (shape.radii.empty()) {
+      for (const auto& values : of_ring) shape.radii.push_back(median(values));
+    }
+    if (scatter == Scatter::relative) {
+      const double middle = median(rho);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        unit[i] = std::max(rho[i] / middle, smallest_unit);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      residuals[i] = rho[i] - shape.radii[std::size_t(points[i].ring)];
+      sizes.push_back(std::abs(residuals[i]) / unit[i]);
+    }
+    shape.scatter = std::max(1.4826 * median(sizes), 1e-9);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double off = residuals[i] / (loss_scale * shape.scatter * unit[i]);
+      weights[i] = 1.0 / (unit[i] * unit[i] * (1.0 + off * off));
+    }
+  };
+  Reduced sums;
+  look();
+  for (int round = 0; round < rounds; ++round) {
+    sums = reduced(points, rings, shape.frame, rho, weights);
+    const Eigen::VectorXd state = packed(shape.frame);
+    const double variance = shape.scatter * shape.scatter;
+    Eigen::MatrixXd normal = sums.normal;
+    normal.diagonal() += variance * prior;
+    normal.diagonal() *= 1.0 + 1e-10;
+    const Eigen::VectorXd move =
+        normal.ldlt().solve(-sums.right - variance * prior.cwiseProduct(state));
+    shape.frame = unpacked(shape.frame, state + move);
+    for (std::size_t ring = 0; ring < std::size_t(rings); ++ring)
+      shape.radii[ring] = sums.mean[ring] + sums.slope[ring].dot(move);
+    look();
+  }
+  shape.points = double(points.size());
+  const double effect = design_effect(points, residuals, shape.scatter);
+  shape.independent = double(points.size()) / effect;
+  // The Cauchy loss is worth about 0.9 of least squares for Gaussian scatter; its weights say less.
+  double mean_weight = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    mean_weight += weights[i] * unit[i] * unit[i] / double(points.size());
+  const double variance = effect * shape.scatter * shape.scatter * mean_weight;
+  sums = reduced(points, rings, shape.frame, rho, weights);
+  Eigen::MatrixXd information = sums.normal / variance;
+  information.diagonal() += prior;
+  information.diagonal() *= 1.0 + 1e-10;
+  shape.covariance =
+      information.ldlt().solve(Eigen::MatrixXd::Identity(prior.size(), prior.size()));
+  shape.pith_sigma = shape.covariance.diagonal().head<2>().cwiseSqrt();
+  for (std::size_t l = 0; l < start.lobes.size(); ++l)
+    shape.lobe_sigma.push_back(
+        shape.covariance.diagonal().segment<2>(Eigen::Index(2 + 2 * l)).cwiseSqrt());
+  for (std::size_t ring = 0; ring < std::size_t(rings); ++ring) {
+    const auto& slope = sums.slope[ring];
+    shape.radii_sigma.push_back(
+        std::sqrt(variance / sums.weight[ring] + slope.dot(shape.covariance * slope)));
+  }
+  return shape;
+}
+
+}  // namespace hada
