@@ -23,7 +23,7 @@ struct SimulateOptions {
   double axial_stiffness = 20.0;      // of paper that stretches: force at a strain of 1
   double fold_stiffness = 0.7;        // torque for each unit of length and radian
   double facet_stiffness = 0.7;       // the same within faces, which are cut into triangles
-  double corner_stiffness = 0.2;  // of the corners of triangles, in a sheet of radius 1
+  double corner_stiffness = 0.2;      // of the corners of triangles, in a sheet of radius 1
 };
 
 struct Simulated {
