@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "app/fold_input.h"
+#include "app/sheet_mesh.h"
 #include "core/error.h"
 #include "io/fold_file.h"
 #include "io/json.h"
@@ -15,17 +17,9 @@
 namespace hada {
 namespace {
 
-Sheet read_sheet(const std::filesystem::path& path, std::string* title = nullptr) {
-  const FoldFile file = read_crease_pattern(path);
-  if (title != nullptr) *title = file.title;
-  return sheet_of(file.frames[0], path.string());
-}
-
 // What keeps the paper from lying flat: the first flaw, or nothing.
-std::string first_flaw(const Sheet& sheet, const std::vector<FlatFlaw>& flaws,
-                       const Layers& layers) {
+std::string first_flaw(const std::vector<FlatFlaw>& flaws, const Layers& layers) {
   if (!flaws.empty()) return flaws[0].reason;
-  (void)sheet;
   return layers.possible ? "" : layers.reason;
 }
 
@@ -52,7 +46,7 @@ Json result_of(const Folded& folded, const char* kind) {
                {"edges", folded.sheet.edges()},
                {"faces", folded.sheet.faces()},
                {"flat_foldable", folded.layers.possible},
-               {"reason", first_flaw(folded.sheet, folded.flaws, folded.layers)}};
+               {"reason", first_flaw(folded.flaws, folded.layers)}};
   json["flaws"] = Json::array();
   for (const FlatFlaw& flaw : folded.flaws) {
     json["flaws"].push_back({{"vertex", flaw.vertex}, {"reason", flaw.reason}});
@@ -80,7 +74,7 @@ FoldFile document(const Folded& folded) {
 }
 
 void expect_possible(const Folded& folded, const std::filesystem::path& input) {
-  const std::string flaw = first_flaw(folded.sheet, folded.flaws, folded.layers);
+  const std::string flaw = first_flaw(folded.flaws, folded.layers);
   if (!flaw.empty()) throw Error(input.string() + ": does not fold flat: " + flaw);
 }
 
@@ -140,7 +134,7 @@ void fold_states_command(const FoldStatesArguments& arguments, const Terminal& t
   terminal.say(fmt::format("{} pairs of faces overlap, {} parts can be ordered independently",
                            folded.layers.overlapping_pairs, folded.layers.part_states.size()));
   terminal.say(states + (states == "1" ? " state" : " states"));
-  const std::string flaw = first_flaw(folded.sheet, folded.flaws, folded.layers);
+  const std::string flaw = first_flaw(folded.flaws, folded.layers);
   if (!flaw.empty()) terminal.say("because " + flaw);
   if (arguments.out) {
     expect_possible(folded, arguments.input);
@@ -156,15 +150,16 @@ void fold_states_command(const FoldStatesArguments& arguments, const Terminal& t
 
 void fold_convert_command(const FoldConvertArguments& arguments, const Terminal& terminal) {
   FoldFile file = read_crease_pattern(arguments.input);
-  if (arguments.out.extension() != ".fold") {
-    throw Error(arguments.out.string() + ": cannot be written; name a file that ends in .fold");
-  }
   for (FoldFrame& frame : file.frames) {
     if (!frame.faces.empty() || frame.edges.empty()) continue;
     const FoldFrame with_faces = flat_frame(sheet_of(frame, arguments.input.string()));
     frame = with_faces;
   }
-  write_text(arguments.out, fold_text(file));
+  if (arguments.out.extension() == ".fold") {
+    write_text(arguments.out, fold_text(file));
+  } else {
+    write_mesh(arguments.out, mesh_of(file.frames[0]));
+  }
   const FoldFrame& key = file.frames[0];
   terminal.say(fmt::format("{} vertices, {} edges, {} faces, {} frames", key.vertices.size(),
                            key.edges.size(), key.faces.size(), file.frames.size()));

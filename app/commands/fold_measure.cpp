@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "app/commands/fold_shape.h"
+#include "core/error.h"
+#include "io/fold_file.h"
+#include "io/json.h"
+#include "io/output.h"
+#include "io/surface_file.h"
+#include "measure/creases.h"
+#include "sheet/unfold.h"
+
+namespace hada {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// A place as pixel coordinates (u, v) of the pictures that the surface was made from.
+Json pixel_json(const Surface& surface, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d pixel = surface.extent.pixel(place);
+  return {pixel.y() + 0.5 + surface.offset_px.x(), pixel.x() + 0.5 + surface.offset_px.y()};
+}
+
+Json crease_json(const Surface& surface, const MeasuredCrease& crease) {
+  const std::string unit(name_of(surface.extent.unit));
+  return {{"kind", crease.fold_angle > 0.0 ? "valley" : "mountain"},
+          {"fold_angle_deg", crease.fold_angle / degree},
+          {"fold_angle_sigma_deg", crease.fold_angle_sigma / degree},
+          {"ends_" + unit, {{crease.from.x(), crease.from.y()}, {crease.to.x(), crease.to.y()}}},
+          {"ends_px", {pixel_json(surface, crease.from), pixel_json(surface, crease.to)}},
+          {"offset_sigma_px", crease.offset_sigma / surface.extent.pitch},
+          {"width_" + unit, crease.width}};
+}
+
+}  // namespace
+
+void fold_measure_command(const FoldMeasureArguments& arguments, const Terminal& terminal) {
+  terminal.step("reading " + arguments.input.string());
+  const Surface surface = read_surface(arguments.input, arguments.pitch_mm);
+  terminal.step("measuring creases");
+  MeasuredCreases found;
+  try {
+    found = measured_creases(surface, {.smallest_fold_deg = arguments.smallest_deg});
+  } catch (const Error& error) {
+    throw Error(arguments.input.string() + ": " + error.what());
+  }
+  FoldFile file;
+  file.title = arguments.input.filename().string();
+  const Sheet sheet = unfolded_sheet(found.frame, arguments.input.string());
+  file.frames = {folded_frame(sheet), flat_frame(sheet)};
+  for (FoldFrame& frame : file.frames) frame.unit = found.frame.unit;
+  write_text(arguments.out, fold_text(file));
+  Json json = {{"hada", "fold_measure/1"}, {"unit", found.frame.unit}, {"faces", sheet.faces()}};
+  json["creases"] = Json::array();
+  terminal.say(fmt::format("{} creases between {} facets", found.creases.size(), sheet.faces()));
+  for (const MeasuredCrease& crease : found.creases) {
+    json["creases"].push_back(crease_json(surface, crease));
+    terminal.say(fmt::format(
+        "  {:<8} {:7.3f} deg +- {:.3f}, line known to {:.3f} px, bend {:.2f} px wide",
+        crease.fold_angle > 0.0 ? "valley" : "mountain", std::abs(crease.fold_angle) / degree,
+        crease.fold_angle_sigma / degree, crease.offset_sigma / surface.extent.pitch,
+        crease.width / surface.extent.pitch));
+  }
+  json["inner_vertices"] = Json::array();
+  for (const MeasuredVertex& vertex : found.inner_vertices) {
+    json["inner_vertices"].push_back({{"place", {vertex.place.x(), vertex.place.y()}},
+                                      {"creases", vertex.creases},
+                                      {"closure_deg", vertex.closure / degree}});
+    terminal.say(fmt::format("  {} creases meet at ({:.2f}, {:.2f}); a full turn lacks {:.2f} deg",
+                             vertex.creases, vertex.place.x(), vertex.place.y(),
+                             vertex.closure / degree));
+  }
+  terminal.say("wrote " + arguments.out.string());
+  terminal.result(json.dump(1));
+}
+
+}  // namespace hada

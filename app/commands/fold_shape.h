@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/terminal.h"
+
+namespace hada {
+
+struct FoldSimulateArguments {
+  std::filesystem::path input;
+  std::filesystem::path out = "simulated.fold";
+  double percent = 100.0;
+  std::vector<std::string> held;  // "12=90": crease 12 at 90 degrees
+  bool elastic = false;
+  int frames = 1;
+};
+
+/// Drives the creases of a pattern and writes the shape in space that it takes.
+void fold_simulate_command(const FoldSimulateArguments& arguments, const Terminal& terminal);
+
+struct FoldReplayArguments {
+  std::filesystem::path input;
+  std::filesystem::path out = "replayed";
+  int steps = -1;       // how many of the log; < 0: all
+  bool frames = false;  // a picture of every step
+  double turn_deg = 0.0;
+  double tilt_deg = 0.0;
+};
+
+/// Repeats a recorded sequence of folds and writes the model, with pictures.
+void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& terminal);
+
+struct FoldMeasureArguments {
+  std::filesystem::path input;
+  std::optional<double> pitch_mm;
+  double smallest_deg = 1.0;
+  std::filesystem::path out = "creases.fold";
+};
+
+/// Finds the creases of a re-opened sheet and how far each is folded.
+void fold_measure_command(const FoldMeasureArguments& arguments, const Terminal& terminal);
+
+}  // namespace hada
