@@ -36,7 +36,8 @@ Grid<T> inverse_fft(const Grid<std::complex<T>>& half, int cols) {
   const int rows = half.rows();
   // OpenCV's packed layout (CCS) of the transform of a real matrix: real and imaginary parts of the
   // columns 1 .. side by side, the self-conjugate first (and, for even cols, last) column folded.
-  cv::Mat packed(rows, cols, cv::traits::Type<T>::value);
+  Grid<T> packed_grid(rows, cols);
+  cv::Mat packed = view(packed_grid);
   const auto fold_column = [&](int column_of_half, int column) {
     const auto at = [&](int row) -> std::complex<T> { return half(row, column_of_half); };
     packed.at<T>(0, column) = at(0).real();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -15,20 +16,36 @@ namespace {
 // Below this share of the largest density a frequency is lost in the rounding of float heights.
 constexpr double negligible = 1e-18;
 
-/// A complex number with mean 0 and mean square modulus 1, Gaussian; that of (-i, -j) is its
-/// conjugate, so that the field is real.
-std::complex<double> coefficient(Seed seed, int i, int j) {
-  if (j < 0 || (j == 0 && i < 0)) return std::conj(coefficient(seed, -i, -j));
-  const double radius = std::sqrt(-std::log(uniform(seed, i, j, 0)));
-  return std::polar(radius, 2.0 * std::numbers::pi * uniform(seed, i, j, 1));
-}
+/// Complex numbers with mean 0 and mean square modulus 1, Gaussian, one for each frequency (i, j);
+/// that of (-i, -j) is the conjugate of that of (i, j), so that the field is real.
+class Coefficients {
+ public:
+  Coefficients(Seed seed, int i) : row_(mixed(seed, i)), mirrored_(mixed(seed, -i)), i_(i) {}
+
+  std::complex<float> at(int j) const {
+    if (j == 0 && i_ < 0) return std::conj(drawn(mixed(mirrored_, 0)));
+    return drawn(mixed(row_, j));
+  }
+
+ private:
+  static std::complex<float> drawn(std::uint64_t key) {
+    const float radius = std::sqrt(-std::log(float(unit_interval(mixed(key, 0)))));
+    const float turn = 2.0f * float(std::numbers::pi) * float(unit_interval(mixed(key, 1)));
+    return {radius * std::cos(turn), radius * std::sin(turn)};
+  }
+
+  std::uint64_t row_, mirrored_;
+  int i_;
+};
 
 /// Half a sample further on, for every frequency of a line of `n` samples: pixels are sampled at
 /// their centres, but the field is anchored to the border of the grid, which no pitch moves.
-std::vector<std::complex<double>> half_sample_turns(int count, int n) {
-  std::vector<std::complex<double>> turns;
-  for (int k = 0; k < count; ++k)
-    turns.push_back(std::polar(1.0, std::numbers::pi * signed_frequency(k, n) / n));
+std::vector<std::complex<float>> half_sample_turns(int count, int n) {
+  std::vector<std::complex<float>> turns;
+  for (int k = 0; k < count; ++k) {
+    const double turn = std::numbers::pi * signed_frequency(k, n) / n;
+    turns.emplace_back(float(std::cos(turn)), float(std::sin(turn)));
+  }
   return turns;
 }
 
@@ -36,24 +53,29 @@ bool is_nyquist(int k, int n) {
   return 2 * k == n;
 }
 
-Grid<double> sample(const std::function<double(double, double)>& psd, const Extent& extent) {
-  Grid<double> density(extent.rows, extent.cols / 2 + 1);
+Grid<float> sample(const PsdOfRow& psd, const Extent& extent) {
+  Grid<float> density(extent.rows, extent.cols / 2 + 1);
+  std::vector<double> fx;
+  for (int col = 0; col < density.cols(); ++col) fx.push_back(col / extent.width());
   for_each_index(extent.rows, [&](int row) {
     if (is_nyquist(row, extent.rows)) return;
     const double fy = -signed_frequency(row, extent.rows) / extent.height();  // rows run downward
-    for (int col = 0; col < density.cols(); ++col) {
-      if (is_nyquist(col, extent.cols) || (row == 0 && col == 0)) continue;
-      density(row, col) = psd(col / extent.width(), fy);
-    }
+    psd(fx, fy, &density(row, 0));
+    if (is_nyquist(density.cols() - 1, extent.cols)) density(row, density.cols() - 1) = 0.0f;
+    if (row == 0) density(row, 0) = 0.0f;
   });
   return density;
 }
 
+// a b, without the care for infinities that operator* takes.
+std::complex<float> product(const std::complex<float>& a, const std::complex<float>& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 }  // namespace
 
-Grid<float> gaussian_field(const std::function<double(double fx, double fy)>& psd,
-                           const Extent& extent, Seed seed) {
-  const Grid<double> density = sample(psd, extent);
+Grid<float> gaussian_field_by_rows(const PsdOfRow& psd, const Extent& extent, Seed seed) {
+  const Grid<float> density = sample(psd, extent);
   if (density.empty()) return {};
   const double least = negligible * *std::max_element(density.begin(), density.end());
   const double area = extent.width() * extent.height();
@@ -63,13 +85,13 @@ Grid<float> gaussian_field(const std::function<double(double fx, double fy)>& ps
 
   Grid<std::complex<float>> half(density.rows(), density.cols());
   for_each_index(density.rows(), [&](int row) {
-    const int i = signed_frequency(row, extent.rows);
+    const Coefficients coefficients(seed, signed_frequency(row, extent.rows));
     for (int col = 0; col < density.cols(); ++col) {
       if (density(row, col) <= least) continue;
-      const double amplitude = size * std::sqrt(density(row, col) / area);
+      const float amplitude = float(size * std::sqrt(density(row, col) / area));
       half(row, col) =
-          std::complex<float>(amplitude * coefficient(seed, i, col) * row_turns[std::size_t(row)] *
-                              col_turns[std::size_t(col)]);
+          amplitude * product(coefficients.at(col),
+                              product(row_turns[std::size_t(row)], col_turns[std::size_t(col)]));
     }
   });
   return inverse_fft(half, extent.cols);

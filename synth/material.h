@@ -14,10 +14,12 @@ namespace hada {
 /// Every material that hada knows: the variant is the registry.
 using Material = std::variant<Wrinkle<>, Wood<>>;
 
-/// A material of which only the power spectrum is a fact; the phases are luck.
+/// A material of which only the power spectrum is a fact; the phases are luck. `spectrum_of` is its
+/// `psd` made ready for many frequencies.
 template <class M>
 concept Spectral = requires(const M& material, double frequency) {
   { psd(material, frequency, frequency) } -> std::convertible_to<double>;
+  { spectrum_of(material)(frequency, frequency) } -> std::convertible_to<double>;
 };
 
 /// A material whose making is its own: a solid that is cut, a billet that is folded.

@@ -17,8 +17,7 @@ Surface drawn(const M& material, const Extent& extent, Seed seed) {
   Surface surface;
   surface.extent = extent;
   surface.mask = full_mask(extent);
-  surface.height =
-      gaussian_field([&](double fx, double fy) { return psd(material, fx, fy); }, extent, seed);
+  surface.height = gaussian_field(spectrum_of(material), extent, seed);
   surface.normals = normals_of(surface.height, surface.mask, extent.pitch);
   surface.albedo = Image(Grid<float>(extent.rows, extent.cols, plain_albedo));
   return surface;

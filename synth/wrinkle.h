@@ -81,16 +81,35 @@ GaussianCovariance<T> autocovariance(const WrinkleComponent<T>& component) {
           (along - across) * c * s, along * s * s + across * c * c};
 }
 
-/// The power spectral density of that autocovariance at (fx, fy) in cycles per mm, in mm^4.
+/// The power spectral density of that autocovariance: peak exp(-(xx fx^2 + 2 xy fx fy + yy fy^2)).
+template <class T = double>
+struct GaussianDensity {
+  T peak;        // mm^4
+  T xx, xy, yy;  // mm^2
+
+  T exponent(double fx, double fy) const {
+    return xx * (fx * fx) + 2.0 * xy * (fx * fy) + yy * (fy * fy);
+  }
+  T operator()(double fx, double fy) const {
+    using std::exp;
+    return peak * exp(-exponent(fx, fy));
+  }
+};
+
 template <class T>
-T psd(const GaussianCovariance<T>& covariance, double fx, double fy) {
-  using std::exp;
+GaussianDensity<T> density_of(const GaussianCovariance<T>& covariance) {
   using std::sqrt;
   constexpr double pi = std::numbers::pi;
   const auto& [variance, xx, xy, yy] = covariance;
   const T det = xx * yy - xy * xy;
-  const T quadratic = (yy * (fx * fx) - 2.0 * xy * (fx * fy) + xx * (fy * fy)) / det;
-  return variance * pi / sqrt(det) * exp(-pi * pi * quadratic);
+  const T scale = pi * pi / det;
+  return {variance * pi / sqrt(det), yy * scale, -xy * scale, xx * scale};
+}
+
+/// The power spectral density of that autocovariance at (fx, fy) in cycles per mm, in mm^4.
+template <class T>
+T psd(const GaussianCovariance<T>& covariance, double fx, double fy) {
+  return density_of(covariance)(fx, fy);
 }
 
 /// The power spectral density of one component at frequency (fx, fy) in cycles per mm, in mm^4.
@@ -116,6 +135,21 @@ T psd(const Wrinkle<T>& wrinkle, double fx, double fy, double window_x = 0.0,
   for (const auto& component : wrinkle.components)
     sum += psd(component, fx, fy, window_x, window_y);
   return sum;
+}
+
+/// `psd` of a sheet as a function of (fx, fy), for many frequencies.
+inline auto spectrum_of(const Wrinkle<>& wrinkle) {
+  std::vector<GaussianDensity<>> densities;
+  for (const auto& component : wrinkle.components)
+    densities.push_back(density_of(autocovariance(component)));
+  return [densities, floor = wrinkle.floor_mm4](double fx, double fy) {
+    double sum = floor;
+    for (const auto& density : densities) {
+      constexpr double nothing = 100.0;  // e^-100 is less than rounding, and slow to compute
+      if (density.exponent(fx, fy) < nothing) sum += density(fx, fy);
+    }
+    return sum;
+  };
 }
 
 }  // namespace hada
