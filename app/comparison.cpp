@@ -24,11 +24,6 @@ double log_density(const Rings& rings, double frequency) {
   return (1.0 - share) * std::log10(rings.density[i - 1]) + share * std::log10(rings.density[i]);
 }
 
-Json json_of(const Roughness& r) {
-  return {{"Sa", r.Sa},   {"Sq", r.Sq},   {"Ssk", r.Ssk}, {"Sku", r.Sku},
-          {"Sdq", r.Sdq}, {"Sal", r.Sal}, {"Str", r.Str}, {"Std_rad", r.Std}};
-}
-
 }  // namespace
 
 double spectral_distance_db(const Rings& a, const Rings& b) {
@@ -92,7 +87,12 @@ std::string comparison_text(const Comparison& c) {
     }
   }
   json["spectral_distance_db"] = c.spectral_distance_db;
-  json["roughness"] = {json_of(c.first.roughness), json_of(c.second.roughness)};
+  const auto add = [&](const char* key, Roughness RoughnessEstimate::*which) {
+    json[key] = {Json::parse(roughness_text(c.first.roughness.*which)),
+                 Json::parse(roughness_text(c.second.roughness.*which))};
+  };
+  add("roughness", &RoughnessEstimate::value);
+  add("roughness_sigma", &RoughnessEstimate::sigma);
   return json.dump(1) + "\n";
 }
 

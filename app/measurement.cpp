@@ -1,15 +1,22 @@
 #include "app/measurement.h"
 
+#include <cmath>
+
 #include "core/parallel.h"
 #include "io/json.h"
 
 namespace hada {
 namespace {
 
-Json json_of(const Roughness& r) {
-  return {{"Sa", r.Sa},   {"Sq", r.Sq},   {"Sp", r.Sp},   {"Sv", r.Sv},
-          {"Sz", r.Sz},   {"Ssk", r.Ssk}, {"Sku", r.Sku}, {"Sdq", r.Sdq},
-          {"Sdr", r.Sdr}, {"Sal", r.Sal}, {"Str", r.Str}, {"Std_rad", r.Std}};
+Json json_of(const Roughness& roughness) {
+  Json json;
+  for (const RoughnessField& field : roughness_fields) {
+    const double value = roughness.*(field.value);
+    // JSON has no word for what is not known.
+    json[std::string(field.name) + (field.unit == "rad" ? "_rad" : "")] =
+        std::isfinite(value) ? Json(value) : Json(nullptr);
+  }
+  return json;
 }
 
 Json json_of(const Rings& rings) {
@@ -44,6 +51,14 @@ Json peaks_json(const Measurement& m) {
 
 }  // namespace
 
+std::string unit_of(const RoughnessField& field, Unit unit) {
+  std::string text(field.unit);
+  if (const auto at = text.find("unit"); at != std::string::npos) {
+    text.replace(at, 4, name_of(unit));
+  }
+  return text;
+}
+
 Grid<float> measured_map(const Surface& surface) {
   return surface.has_height() ? surface.height : luminance(surface.albedo);
 }
@@ -54,7 +69,7 @@ Measurement measure(const Surface& surface) {
   Measurement m;
   m.quantity = surface.has_height() ? "height" : "brightness";
   m.extent = surface.extent;
-  m.roughness = roughness(map, surface.mask, surface.extent.pitch);
+  m.roughness = roughness_estimate(map, surface.mask, surface.extent.pitch);
   m.spectrum = power_spectrum(map, surface.mask, surface.extent);
   m.rings = rings(m.spectrum);
   m.sectors = sectors(m.spectrum);
@@ -69,11 +84,16 @@ std::string measurement_text(const Measurement& m) {
                      {"unit", name_of(m.extent.unit)},
                      {"pitch", m.extent.pitch},
                      {"size_px", {m.extent.cols, m.extent.rows}},
-                     {"roughness", json_of(m.roughness)},
+                     {"roughness", json_of(m.roughness.value)},
+                     {"roughness_sigma", json_of(m.roughness.sigma)},
                      {"rings", json_of(m.rings)},
                      {"sectors", json_of(m.sectors)},
                      {"peaks", peaks_json(m)}};
   return json.dump(1) + "\n";
+}
+
+std::string roughness_text(const Roughness& roughness) {
+  return json_of(roughness).dump();
 }
 
 Spectrum expected_spectrum(const Material& material, const Spectrum& like) {

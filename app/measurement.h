@@ -15,7 +15,7 @@ namespace hada {
 struct Measurement {
   std::string quantity;  // "height", or "brightness" where there is no height
   Extent extent;
-  Roughness roughness;
+  RoughnessEstimate roughness;
   Spectrum spectrum;
   Rings rings;
   Sectors sectors;
@@ -28,8 +28,14 @@ Grid<float> measured_map(const Surface& surface);
 
 Measurement measure(const Surface& surface);
 
+/// What a number of a roughness is counted in: "mm", "rad", "per mm^2" or nothing.
+std::string unit_of(const RoughnessField& field, Unit unit);
+
 /// The text of measure.json.
 std::string measurement_text(const Measurement& measurement);
+
+/// The JSON object of a roughness, as in measure.json; null for what is not known.
+std::string roughness_text(const Roughness& roughness);
 
 /// What the spectrum of `like` would be expected to be if its surface were made of `material`:
 /// the same lattice, the same taper. Empty for a material that has no spectrum of its own.

@@ -1,218 +1,212 @@
 #include "measure/roughness.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
-#include "core/fft.h"
 #include "core/parallel.h"
+#include "measure/blocks.h"
+#include "measure/hills.h"
+#include "measure/jackknife.h"
+#include "measure/texture_lengths.h"
 
 namespace hada {
 namespace {
 
 constexpr int fewest_pixels = 64;
-constexpr float fallen = 0.2f;          // where the autocorrelation counts as gone (ISO 25178-3)
-constexpr double least_overlap = 0.25;  // of the pixels, for a lag to be believed
-constexpr int directions = 180;         // in half a turn
-constexpr double march_step_px = 0.25;
+constexpr double hill_share = 0.05;  // of Sz (ISO 25178-3)
 
-// Sums that are formed for each row and added up in row order.
-template <std::size_t n, class Work>
-std::array<double, n> sums_of_rows(int rows, const Work& work) {
-  std::vector<std::array<double, n>> sums(std::size_t(rows), std::array<double, n>{});
-  for_each_index(rows, [&](int row) { work(row, sums[std::size_t(row)]); });
-  std::array<double, n> total{};
-  for (const auto& sum : sums) {
-    for (std::size_t i = 0; i < n; ++i) total[i] += sum[i];
-  }
-  return total;
-}
-
-void measure_heights(const Grid<float>& height, const Mask& mask, double mean, Roughness& found) {
+/// Sums over the pixels of a part: what all moments and slopes are made of.
+struct Sums {
+  double count = 0.0, absolute = 0.0, z = 0.0, z2 = 0.0, z3 = 0.0, z4 = 0.0;
+  double squares = 0.0;  // of four neighbouring pixels
+  double slope2 = 0.0, area = 0.0, lay_cos = 0.0, lay_sin = 0.0;
   double highest = -std::numeric_limits<double>::infinity();
   double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (!mask[i]) continue;
-    highest = std::max(highest, double(height[i]));
-    lowest = std::min(lowest, double(height[i]));
-  }
-  const auto sums = sums_of_rows<5>(height.rows(), [&](int row, auto& sum) {
-    for (int col = 0; col < height.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      const double z = height(row, col) - mean;
-      sum[0] += 1.0;
-      sum[1] += std::abs(z);
-      sum[2] += z * z;
-      sum[3] += z * z * z;
-      sum[4] += z * z * z * z;
+
+  void add(const Sums& other, double sign) {
+    for (const auto member :
+         {&Sums::count, &Sums::absolute, &Sums::z, &Sums::z2, &Sums::z3, &Sums::z4, &Sums::squares,
+          &Sums::slope2, &Sums::area, &Sums::lay_cos, &Sums::lay_sin}) {
+      this->*member += sign * other.*member;
     }
-  });
-  found.Sp = highest - mean;
-  found.Sv = mean - lowest;
-  found.Sz = highest - lowest;
-  found.Sa = sums[1] / sums[0];
-  found.Sq = std::sqrt(sums[2] / sums[0]);
-  if (found.Sq == 0.0) return;
-  found.Ssk = sums[3] / sums[0] / std::pow(found.Sq, 3.0);
-  found.Sku = sums[4] / sums[0] / std::pow(found.Sq, 4.0);
-}
-
-// Over every square of four pixels of the mask: the slopes along its four edges give its two times
-// two triangles, and its mean slope the direction of the lay.
-void measure_slopes(const Grid<float>& height, const Mask& mask, double pitch, Roughness& found) {
-  const auto sums = sums_of_rows<5>(std::max(height.rows() - 1, 0), [&](int row, auto& sum) {
-    for (int col = 0; col + 1 < height.cols(); ++col) {
-      if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) ||
-          !mask(row + 1, col + 1)) {
-        continue;
-      }
-      const double top = (height(row, col + 1) - height(row, col)) / pitch;
-      const double bottom = (height(row + 1, col + 1) - height(row + 1, col)) / pitch;
-      const double left = (height(row, col) - height(row + 1, col)) / pitch;  // y runs upward
-      const double right = (height(row, col + 1) - height(row + 1, col + 1)) / pitch;
-      sum[0] += 1.0;
-      sum[1] += 0.5 * (top * top + bottom * bottom + left * left + right * right);
-      for (const double dx : {top, bottom}) {
-        for (const double dy : {left, right}) {
-          sum[2] += 0.25 * (std::sqrt(1.0 + dx * dx + dy * dy) - 1.0);
-        }
-      }
-      const double dx = 0.5 * (top + bottom);
-      const double dy = 0.5 * (left + right);
-      sum[3] += dx * dx - dy * dy;
-      sum[4] += 2.0 * dx * dy;
-    }
-  });
-  if (sums[0] == 0.0) return;
-  found.Sdq = std::sqrt(sums[1] / sums[0]);
-  found.Sdr = sums[2] / sums[0];
-  // The lay runs across the steepest direction, the long axis of the covariance of the slopes.
-  const double steepest = 0.5 * std::atan2(sums[4], sums[3]);
-  const double lay = std::fmod(steepest + 1.5 * std::numbers::pi, std::numbers::pi);
-  found.Std = lay;
-}
-
-// The next length whose transform is fast: no prime factor above 5.
-int fast_length(int least) {
-  for (int length = least;; ++length) {
-    int rest = length;
-    for (const int prime : {2, 3, 5}) {
-      while (rest % prime == 0) rest /= prime;
-    }
-    if (rest == 1) return length;
+    highest = std::max(highest, other.highest);
+    lowest = std::min(lowest, other.lowest);
   }
-}
-
-Grid<float> correlated_with_itself(const Grid<float>& map) {
-  auto half = fft(map);
-  for (auto& value : half) value = std::norm(value);
-  return inverse_fft(half, map.cols());
-}
-
-// The autocorrelation at lags up to half of each side: products of pairs over their number.
-class Autocorrelation {
- public:
-  Autocorrelation(const Grid<float>& height, const Mask& mask, double mean, double variance)
-      : most_rows_(height.rows() / 2), most_cols_(height.cols() / 2) {
-    const int rows = fast_length(height.rows() + most_rows_ + 1);
-    const int cols = fast_length(height.cols() + most_cols_ + 1);
-    Grid<float> map(rows, cols);
-    Grid<float> inside(rows, cols);
-    for (int row = 0; row < height.rows(); ++row) {
-      for (int col = 0; col < height.cols(); ++col) {
-        if (!mask(row, col)) continue;
-        map(row, col) = float((height(row, col) - mean) / std::sqrt(variance));
-        inside(row, col) = 1.0f;
-      }
-    }
-    products_ = correlated_with_itself(map);
-    pairs_ = correlated_with_itself(inside);
-    fewest_pairs_ = least_overlap * pairs_(0, 0);
-  }
-
-  // The first lag (px) along the direction (right, down) at which it has fallen; the last lag that
-  // can be believed where it never does.
-  double length_px(double right, double down) const {
-    double last = 1.0;
-    for (double lag = march_step_px;; lag += march_step_px) {
-      const auto value = at(lag * down, lag * right);
-      if (!value) return lag - march_step_px;
-      if (*value < fallen) return lag - march_step_px * (fallen - *value) / (last - *value);
-      last = *value;
-    }
-  }
-
- private:
-  std::optional<double> at(double row, double col) const {
-    const int r = int(std::floor(row));
-    const int c = int(std::floor(col));
-    const double v = row - r;
-    const double u = col - c;
-    const auto upper_left = at_lag(r, c), upper_right = at_lag(r, c + 1);
-    const auto lower_left = at_lag(r + 1, c), lower_right = at_lag(r + 1, c + 1);
-    if (!upper_left || !upper_right || !lower_left || !lower_right) return std::nullopt;
-    return (1 - v) * ((1 - u) * *upper_left + u * *upper_right) +
-           v * ((1 - u) * *lower_left + u * *lower_right);
-  }
-  std::optional<double> at_lag(int row, int col) const {
-    if (std::abs(row) > most_rows_ || std::abs(col) > most_cols_) return std::nullopt;
-    const int r = row < 0 ? row + products_.rows() : row;
-    const int c = col < 0 ? col + products_.cols() : col;
-    if (pairs_(r, c) < fewest_pairs_) return std::nullopt;
-    return double(products_(r, c)) / pairs_(r, c);
-  }
-
-  int most_rows_;
-  int most_cols_;
-  double fewest_pairs_ = 0.0;
-  Grid<float> products_;
-  Grid<float> pairs_;
 };
 
-void measure_texture(const Grid<float>& height, const Mask& mask, double mean, double pitch,
-                     Roughness& found) {
-  const Autocorrelation autocorrelation(height, mask, mean, found.Sq * found.Sq);
-  double shortest = std::numeric_limits<double>::infinity();
-  double longest = 0.0;
-  for (int i = 0; i < directions; ++i) {
-    const double angle = std::numbers::pi * i / directions;
-    const double length = autocorrelation.length_px(std::cos(angle), std::sin(angle));
-    shortest = std::min(shortest, length);
-    longest = std::max(longest, length);
-  }
-  found.Sal = shortest * pitch;
-  found.Str = longest > 0.0 ? shortest / longest : 0.0;
+void add_height(Sums& sums, double z) {
+  sums.count += 1.0;
+  sums.absolute += std::abs(z);
+  sums.z += z;
+  sums.z2 += z * z;
+  sums.z3 += z * z * z;
+  sums.z4 += z * z * z * z;
+  sums.highest = std::max(sums.highest, z);
+  sums.lowest = std::min(sums.lowest, z);
 }
 
-}  // namespace
+// A square of four pixels: the slopes along its four edges give its two times two triangles, and
+// its mean slope the direction of the lay.
+void add_square(Sums& sums, const Grid<float>& height, int row, int col, double pitch) {
+  const double top = (height(row, col + 1) - height(row, col)) / pitch;
+  const double bottom = (height(row + 1, col + 1) - height(row + 1, col)) / pitch;
+  const double left = (height(row, col) - height(row + 1, col)) / pitch;  // y runs upward
+  const double right = (height(row, col + 1) - height(row + 1, col + 1)) / pitch;
+  sums.squares += 1.0;
+  sums.slope2 += 0.5 * (top * top + bottom * bottom + left * left + right * right);
+  for (const double dx : {top, bottom}) {
+    for (const double dy : {left, right}) {
+      sums.area += 0.25 * (std::sqrt(1.0 + dx * dx + dy * dy) - 1.0);
+    }
+  }
+  const double dx = 0.5 * (top + bottom);
+  const double dy = 0.5 * (left + right);
+  sums.lay_cos += dx * dx - dy * dy;
+  sums.lay_sin += 2.0 * dx * dy;
+}
 
-Roughness roughness(const Grid<float>& height, const Mask& mask, double pitch) {
-  const auto [count, sum] = sums_of_rows<2>(height.rows(), [&](int row, auto& sums) {
+// Sums that are formed for each row and added up in row order.
+std::vector<Sums> sums_of_blocks(const Grid<float>& height, const Mask& mask, double mean,
+                                 double pitch) {
+  std::vector<Sums> of_rows(std::size_t(height.rows()) * blocks_per_side);
+  for_each_index(height.rows(), [&](int row) {
     for (int col = 0; col < height.cols(); ++col) {
       if (!mask(row, col)) continue;
-      sums[0] += 1.0;
-      sums[1] += height(row, col);
+      Sums& sums = of_rows[std::size_t(row * blocks_per_side + block_col(height, col))];
+      add_height(sums, height(row, col) - mean);
+      if (row + 1 < height.rows() && col + 1 < height.cols() && mask(row, col + 1) &&
+          mask(row + 1, col) && mask(row + 1, col + 1)) {
+        add_square(sums, height, row, col, pitch);
+      }
     }
   });
+  std::vector<Sums> result(block_count);
+  for (int row = 0; row < height.rows(); ++row) {
+    for (int k = 0; k < blocks_per_side; ++k) {
+      result[std::size_t(block_row(height, row) * blocks_per_side + k)].add(
+          of_rows[std::size_t(row * blocks_per_side + k)], 1.0);
+    }
+  }
+  return result;
+}
+
+// The numbers that follow from sums. The mean of the sums is no longer quite that which was taken
+// off when a block is left out: moments are moved to it, Sa keeps the difference of second order.
+Roughness from_sums(const Sums& sums) {
+  Roughness found;
+  const double n = sums.count, m = sums.z / n;
+  const double m2 = sums.z2 / n - m * m;
+  found.Sp = sums.highest - m;
+  found.Sv = m - sums.lowest;
+  found.Sz = sums.highest - sums.lowest;
+  found.Sa = sums.absolute / n;
+  if (!(m2 > 0.0)) return found;
+  found.Sq = std::sqrt(m2);
+  const double m3 = sums.z3 / n - 3.0 * m * sums.z2 / n + 2.0 * m * m * m;
+  const double m4 =
+      sums.z4 / n - 4.0 * m * sums.z3 / n + 6.0 * m * m * sums.z2 / n - 3.0 * m * m * m * m;
+  found.Ssk = m3 / std::pow(m2, 1.5);
+  found.Sku = m4 / (m2 * m2);
+  if (sums.squares == 0.0) return found;
+  found.Sdq = std::sqrt(sums.slope2 / sums.squares);
+  found.Sdr = sums.area / sums.squares;
+  // The lay runs across the steepest direction, the long axis of the covariance of the slopes.
+  const double steepest = 0.5 * std::atan2(sums.lay_sin, sums.lay_cos);
+  found.Std = std::fmod(steepest + 1.5 * std::numbers::pi, std::numbers::pi);
+  return found;
+}
+
+double standard_deviation(const std::vector<double>& values) {
+  double mean = 0.0, sum = 0.0;
+  for (const double value : values) mean += value / double(values.size());
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / (double(values.size()) - 1.0));
+}
+
+void set_sigma_of_sums(RoughnessEstimate& found, const Sums& all, const std::vector<Sums>& parts) {
+  std::vector<Roughness> without;
+  std::vector<double> ratio, peaks, valleys, ranges;
+  for (const Sums& part : parts) {
+    if (!counts_as_block(part.count, all.count)) continue;
+    Sums rest = all;
+    rest.add(part, -1.0);
+    without.push_back(from_sums(rest));
+    ratio.push_back(all.count / part.count);
+    peaks.push_back(part.highest);
+    valleys.push_back(part.lowest);
+    ranges.push_back(part.highest - part.lowest);
+  }
+  for (const auto member : {&Roughness::Sa, &Roughness::Sq, &Roughness::Ssk, &Roughness::Sku,
+                            &Roughness::Sdq, &Roughness::Sdr, &Roughness::Std}) {
+    std::vector<LeftOut> left_out;
+    for (std::size_t k = 0; k < without.size(); ++k) {
+      double value = without[k].*member;
+      if (member == &Roughness::Std) {
+        value = found.value.Std + std::remainder(value - found.value.Std, std::numbers::pi);
+      }
+      left_out.push_back({value, ratio[k]});
+    }
+    found.sigma.*member = jackknife_sigma(found.value.*member, left_out);
+  }
+  // No direction is less known than one that may be anything.
+  found.sigma.Std = std::min(found.sigma.Std, std::numbers::pi / std::sqrt(12.0));
+  if (peaks.size() < 2) return;
+  found.sigma.Sp = standard_deviation(peaks);
+  found.sigma.Sv = standard_deviation(valleys);
+  found.sigma.Sz = std::hypot(found.sigma.Sp, found.sigma.Sv);
+}
+
+double mean_of(const Grid<float>& height, const Mask& mask) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    sum += height[i];
+    count += 1.0;
+  }
   if (count < fewest_pixels) {
     throw Error("the mask holds " + std::to_string(int(count)) +
                 " pixels, roughness needs at least " + std::to_string(fewest_pixels) +
                 ": measure a larger piece");
   }
-  const double mean = sum / count;
-  Roughness found;
-  measure_heights(height, mask, mean, found);
-  if (found.Sq == 0.0) return found;  // a mirror: no skewness, slope or texture to speak of
-  measure_slopes(height, mask, pitch, found);
-  measure_texture(height, mask, mean, pitch, found);
+  return sum / count;
+}
+
+RoughnessEstimate estimate(const Grid<float>& height, const Mask& mask, double pitch,
+                           bool with_sigma) {
+  const auto parts = sums_of_blocks(height, mask, mean_of(height, mask), pitch);
+  Sums all;
+  for (const Sums& part : parts) all.add(part, 1.0);
+  RoughnessEstimate found{from_sums(all), {}};
+  // A mirror: no skewness, slope or texture to speak of.
+  if (!(found.value.Sz > 0.0) || found.value.Sq == 0.0) return {};
+  const TextureLengths texture = texture_lengths(height, mask);
+  found.value.Sal = texture.shortest_px * pitch;
+  found.value.Str = texture.aspect;
+  const double area = all.count * pitch * pitch;
+  const int hills = hill_count(height, mask, hill_share * found.value.Sz);
+  found.value.Spd = hills / area;
+  found.sigma.Spd = std::sqrt(double(hills)) / area;
+  if (!with_sigma) return found;
+  set_sigma_of_sums(found, all, parts);
+  const TextureLengths sigma = texture_lengths_sigma(texture, height, mask);
+  found.sigma.Sal = sigma.shortest_px * pitch;
+  found.sigma.Str = sigma.aspect;
   return found;
+}
+
+}  // namespace
+
+RoughnessEstimate roughness_estimate(const Grid<float>& height, const Mask& mask, double pitch) {
+  return estimate(height, mask, pitch, true);
+}
+
+Roughness roughness(const Grid<float>& height, const Mask& mask, double pitch) {
+  return estimate(height, mask, pitch, false).value;
 }
 
 }  // namespace hada

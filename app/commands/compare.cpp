@@ -7,6 +7,7 @@
 #include "app/comparison.h"
 #include "app/files.h"
 #include "app/report/compare_page.h"
+#include "app/telling.h"
 #include "io/output.h"
 #include "io/surface_file.h"
 
@@ -32,18 +33,12 @@ void tell(const Comparison& c, const Terminal& terminal) {
     }
   }
   terminal.say(fmt::format("ring spectra differ by {:.2f} dB", c.spectral_distance_db));
-  const Roughness& a = c.first.roughness;
-  const Roughness& b = c.second.roughness;
-  const auto row = [&](const char* name, double of_a, double of_b) {
-    terminal.say(fmt::format("  {:<4} {:>10.4g} {:>10.4g}", name, of_a, of_b));
-  };
-  row("Sa", a.Sa, b.Sa);
-  row("Sq", a.Sq, b.Sq);
-  row("Ssk", a.Ssk, b.Ssk);
-  row("Sku", a.Sku, b.Sku);
-  row("Sdq", a.Sdq, b.Sdq);
-  row("Sal", a.Sal, b.Sal);
-  row("Str", a.Str, b.Str);
+  for (const RoughnessField& field : roughness_fields) {
+    const auto of = [&](const Measurement& m) {
+      return with_sigma(m.roughness.value.*(field.value), m.roughness.sigma.*(field.value));
+    };
+    terminal.say(fmt::format("  {:<4} {:<20} {}", field.name, of(c.first), of(c.second)));
+  }
 }
 
 }  // namespace

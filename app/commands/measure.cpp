@@ -19,14 +19,14 @@ constexpr double degree = std::numbers::pi / 180.0;
 void tell(const Measurement& m, const Terminal& terminal) {
   const bool is_height = m.quantity == "height";
   const auto unit = name_of(m.extent.unit);
-  const std::string value_unit = is_height ? " " + std::string(unit) : "";
   terminal.say(fmt::format("{} of {} pixels, {:.4g} x {:.4g} {}", m.quantity, size_text(m.extent),
                            m.extent.width(), m.extent.height(), unit));
-  terminal.say(fmt::format("  Sa {:.4g}{u}  Sq {:.4g}{u}  Ssk {:.3g}  Sku {:.3g}  Sdq {:.3g}",
-                           m.roughness.Sa, m.roughness.Sq, m.roughness.Ssk, m.roughness.Sku,
-                           m.roughness.Sdq, fmt::arg("u", value_unit)));
-  terminal.say(fmt::format("  Sal {:.4g} {}  Str {:.3g}  Std {:.1f} deg", m.roughness.Sal, unit,
-                           m.roughness.Str, m.roughness.Std / degree));
+  for (const RoughnessField& field : roughness_fields) {
+    const double value = m.roughness.value.*(field.value), sigma = m.roughness.sigma.*(field.value);
+    terminal.say(fmt::format("  {:<4} {:<20} {:<9} {}", field.name, with_sigma(value, sigma),
+                             is_height || field.name == "Sal" ? unit_of(field, m.extent.unit) : "",
+                             field.meaning));
+  }
   std::string at;
   for (const int i : m.ring_peaks) {
     at += fmt::format("{}{:.3g}", at.empty() ? "" : ", ", m.rings.frequency[std::size_t(i)]);

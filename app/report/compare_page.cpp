@@ -8,6 +8,7 @@
 #include "app/report/figure.h"
 #include "app/report/html.h"
 #include "app/report/sections.h"
+#include "app/telling.h"
 
 namespace hada {
 namespace {
@@ -58,19 +59,14 @@ std::string ring_plot(const Comparison& c) {
 
 std::string roughness_table(const Comparison& c) {
   std::vector<TableRow> rows;
-  const auto add = [&](const char* name, double Roughness::*value, const char* meaning) {
-    rows.push_back({{name, fmt::format("{:.4g}", c.first.roughness.*value),
-                     fmt::format("{:.4g}", c.second.roughness.*value), meaning}});
-  };
-  add("Sa", &Roughness::Sa, "mean absolute height");
-  add("Sq", &Roughness::Sq, "root mean square height");
-  add("Ssk", &Roughness::Ssk, "skewness");
-  add("Sku", &Roughness::Sku, "kurtosis");
-  add("Sdq", &Roughness::Sdq, "root mean square slope");
-  add("Sal", &Roughness::Sal, "shortest correlation length");
-  add("Str", &Roughness::Str, "aspect of the texture");
-  add("Std", &Roughness::Std, "direction of the texture, rad");
-  return table({"roughness", "first", "second", "meaning"}, rows);
+  for (const RoughnessField& field : roughness_fields) {
+    const auto of = [&](const Measurement& m) {
+      return with_sigma(m.roughness.value.*(field.value), m.roughness.sigma.*(field.value));
+    };
+    rows.push_back({{std::string(field.name), of(c.first), of(c.second),
+                     unit_of(field, c.first.extent.unit), std::string(field.meaning)}});
+  }
+  return table({"roughness", "first", "second", "unit", "meaning"}, rows);
 }
 
 }  // namespace

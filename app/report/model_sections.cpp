@@ -90,8 +90,9 @@ std::string spectrum_section(const WholePath& path) {
       "Roughness: Sa {:.3g} {u}, Sq {:.3g} {u}, skewness {:.2f}, kurtosis {:.2f}, slope {:.3g}; "
       "heights are alike over {:.3g} {u} (Sal), the texture runs at {:.0f} deg (Std) with an "
       "aspect of {:.2f} (Str).",
-      m.roughness.Sa, m.roughness.Sq, m.roughness.Ssk, m.roughness.Sku, m.roughness.Sdq,
-      m.roughness.Sal, m.roughness.Std / degree, m.roughness.Str, fmt::arg("u", unit));
+      m.roughness.value.Sa, m.roughness.value.Sq, m.roughness.value.Ssk, m.roughness.value.Sku,
+      m.roughness.value.Sdq, m.roughness.value.Sal, m.roughness.value.Std / degree,
+      m.roughness.value.Str, fmt::arg("u", unit));
   std::vector<std::string> spectra{
       spectrum_figure(spectrum_picture(m.spectrum, style), style, unit, "The measured spectrum.")};
   Rings model_rings;

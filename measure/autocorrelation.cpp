@@ -1,0 +1,114 @@
+#include "measure/autocorrelation.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "core/fft.h"
+#include "core/parallel.h"
+
+namespace hada {
+namespace {
+
+constexpr double fallen = 0.2;          // where it counts as gone (ISO 25178-3)
+constexpr double least_overlap = 0.25;  // of the pixels, for a lag to be believed
+constexpr double march_step_px = 0.25;
+
+// The next length whose transform is fast: no prime factor above 5.
+int fast_length(int least) {
+  for (int length = least;; ++length) {
+    int rest = length;
+    for (const int prime : {2, 3, 5}) {
+      while (rest % prime == 0) rest /= prime;
+    }
+    if (rest == 1) return length;
+  }
+}
+
+Grid<float> correlated_with_itself(const Grid<float>& map) {
+  auto half = fft(map);
+  for (auto& value : half) value = std::norm(value);
+  return inverse_fft(half, map.cols());
+}
+
+struct Moments {
+  double mean;
+  double variance;
+};
+
+Moments moments(const Grid<float>& height, const Mask& mask) {
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    count += 1.0;
+    sum += height[i];
+  }
+  const double mean = sum / count;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i]) squares += (height[i] - mean) * (height[i] - mean);
+  }
+  return {mean, squares / count};
+}
+
+}  // namespace
+
+Autocorrelation::Autocorrelation(const Grid<float>& height, const Mask& mask)
+    : most_rows_(height.rows() / 2), most_cols_(height.cols() / 2) {
+  const auto [mean, variance] = moments(height, mask);
+  const int rows = fast_length(height.rows() + most_rows_ + 1);
+  const int cols = fast_length(height.cols() + most_cols_ + 1);
+  Grid<float> map(rows, cols);
+  Grid<float> inside(rows, cols);
+  for (int row = 0; row < height.rows(); ++row) {
+    for (int col = 0; col < height.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      map(row, col) = float((height(row, col) - mean) / std::sqrt(variance));
+      inside(row, col) = 1.0f;
+    }
+  }
+  products_ = correlated_with_itself(map);
+  pairs_ = correlated_with_itself(inside);
+  fewest_pairs_ = least_overlap * pairs_(0, 0);
+}
+
+std::optional<double> Autocorrelation::at(double right, double down) const {
+  const int row = int(std::floor(down));
+  const int col = int(std::floor(right));
+  const double v = down - row;
+  const double u = right - col;
+  const auto upper_left = at_lag(row, col), upper_right = at_lag(row, col + 1);
+  const auto lower_left = at_lag(row + 1, col), lower_right = at_lag(row + 1, col + 1);
+  if (!upper_left || !upper_right || !lower_left || !lower_right) return std::nullopt;
+  return (1 - v) * ((1 - u) * *upper_left + u * *upper_right) +
+         v * ((1 - u) * *lower_left + u * *lower_right);
+}
+
+double Autocorrelation::length_px(double right, double down) const {
+  double last = 1.0;
+  for (double lag = march_step_px;; lag += march_step_px) {
+    const auto value = at(lag * right, lag * down);
+    if (!value) return lag - march_step_px;
+    if (*value < fallen) return lag - march_step_px * (fallen - *value) / (last - *value);
+    last = *value;
+  }
+}
+
+std::vector<double> Autocorrelation::lengths_px(int directions) const {
+  std::vector<double> lengths(static_cast<std::size_t>(directions));
+  for_each_index(directions, [&](int i) {
+    const double angle = std::numbers::pi * i / directions;
+    // Rows run downward. Lags come in pairs of opposite signs, so that either sign would do.
+    lengths[std::size_t(i)] = length_px(std::cos(angle), -std::sin(angle));
+  });
+  return lengths;
+}
+
+std::optional<double> Autocorrelation::at_lag(int row, int col) const {
+  if (std::abs(row) > most_rows_ || std::abs(col) > most_cols_) return std::nullopt;
+  const int r = row < 0 ? row + products_.rows() : row;
+  const int c = col < 0 ? col + products_.cols() : col;
+  if (pairs_(r, c) < fewest_pairs_) return std::nullopt;
+  return double(products_(r, c)) / pairs_(r, c);
+}
+
+}  // namespace hada
