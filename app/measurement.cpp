@@ -35,6 +35,20 @@ Json json_of(const Sectors& sectors) {
           {"count", sectors.count}};
 }
 
+Json json_of(const std::vector<Band>& bands) {
+  Json json = Json::array();
+  for (const Band& band : bands) {
+    json.push_back({{"wavelength", band.wavelength},
+                    {"wavelength_sigma", band.wavelength_sigma},
+                    {"direction_rad", band.direction},
+                    {"direction_sigma_rad", band.direction_sigma},
+                    {"rms", band.rms},
+                    {"rms_sigma", band.rms_sigma},
+                    {"anisotropy", band.anisotropy}});
+  }
+  return json;
+}
+
 Json peaks_json(const Measurement& m) {
   Json of_rings = Json::array();
   for (const int i : m.ring_peaks) {
@@ -73,6 +87,7 @@ Measurement measure(const Surface& surface) {
   m.spectrum = power_spectrum(map, surface.mask, surface.extent);
   m.rings = rings(m.spectrum);
   m.sectors = sectors(m.spectrum);
+  m.bands = bands(m.spectrum, map, surface.mask);
   m.ring_peaks = peaks(m.rings.power, most_peaks, false);
   m.sector_peaks = peaks(m.sectors.power, most_peaks, true);
   return m;
@@ -88,6 +103,7 @@ std::string measurement_text(const Measurement& m) {
                      {"roughness_sigma", json_of(m.roughness.sigma)},
                      {"rings", json_of(m.rings)},
                      {"sectors", json_of(m.sectors)},
+                     {"bands", json_of(m.bands)},
                      {"peaks", peaks_json(m)}};
   return json.dump(1) + "\n";
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/surface.h"
+#include "measure/bands.h"
 #include "measure/polar.h"
 #include "measure/roughness.h"
 #include "measure/spectrum.h"
@@ -19,6 +20,7 @@ struct Measurement {
   Spectrum spectrum;
   Rings rings;
   Sectors sectors;
+  std::vector<Band> bands;
   std::vector<int> ring_peaks;
   std::vector<int> sector_peaks;
 };

@@ -7,61 +7,69 @@
 namespace hada {
 namespace {
 
-// Pixels that are joined by ground no lower than the flood; the root of each is its summit.
-class Hills {
+// Each pixel above the flood points towards the summit of its hill; a summit to itself.
+class Flood {
  public:
-  explicit Hills(std::size_t pixels) : parent_(pixels, nobody) {}
+  explicit Flood(std::size_t pixels) : towards_(pixels, nobody) {}
 
-  bool emerged(std::size_t pixel) const { return parent_[pixel] != nobody; }
-  void emerge(std::uint32_t pixel) { parent_[pixel] = pixel; }
+  bool emerged(std::size_t pixel) const { return towards_[pixel] != nobody; }
+  void point(std::uint32_t pixel, std::uint32_t summit) { towards_[pixel] = summit; }
   std::uint32_t summit(std::uint32_t pixel) {
-    while (parent_[pixel] != pixel) {
-      parent_[pixel] = parent_[parent_[pixel]];
-      pixel = parent_[pixel];
+    while (towards_[pixel] != pixel) {
+      towards_[pixel] = towards_[towards_[pixel]];
+      pixel = towards_[pixel];
     }
     return pixel;
-  }
-  void join(std::uint32_t lower_summit, std::uint32_t higher_summit) {
-    parent_[lower_summit] = higher_summit;
   }
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
-  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> towards_;
 };
 
-}  // namespace
-
-int hill_count(const Grid<float>& height, const Mask& mask, double least_rise) {
+std::vector<std::uint32_t> from_the_highest(const Grid<float>& height, const Mask& mask) {
   std::vector<std::uint32_t> falling;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (mask[i]) falling.push_back(std::uint32_t(i));
   }
   std::stable_sort(falling.begin(), falling.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return height[a] > height[b]; });
-  Hills hills(mask.size());
-  int count = 0;
+  return falling;
+}
+
+}  // namespace
+
+Hills hills(const Grid<float>& height, const Mask& mask, const HillOptions& options) {
+  const auto falling = from_the_highest(height, mask);
+  const int cols = height.cols();
+  Flood flood(mask.size());
   for (const std::uint32_t pixel : falling) {
-    hills.emerge(pixel);
-    ++count;
-    const int row = int(pixel) / height.cols();
-    const int col = int(pixel) % height.cols();
+    flood.point(pixel, pixel);
     for (int d = 0; d < 9; ++d) {
-      const int r = row + d / 3 - 1;
-      const int c = col + d % 3 - 1;
-      if (!mask.contains(r, c)) continue;
-      const auto neighbour = std::uint32_t(r) * std::uint32_t(height.cols()) + std::uint32_t(c);
-      if (!hills.emerged(neighbour)) continue;
-      auto low = hills.summit(pixel);
-      auto high = hills.summit(neighbour);
-      if (low == high) continue;
-      if (height[low] > height[high]) std::swap(low, high);
-      // A summit that rises this much above where it meets a higher one stays counted.
-      if (height[low] - height[pixel] < least_rise || low == pixel) --count;
-      hills.join(low, high);
+      const int row = int(pixel) / cols + d / 3 - 1;
+      int col = int(pixel) % cols + d % 3 - 1;
+      if (options.columns_wrap) col = (col + cols) % cols;
+      if (!mask.contains(row, col)) continue;
+      const auto neighbour = std::uint32_t(row) * std::uint32_t(cols) + std::uint32_t(col);
+      if (!flood.emerged(neighbour)) continue;
+      const auto here = flood.summit(pixel), there = flood.summit(neighbour);
+      if (here == there) continue;
+      const auto low = height[here] > height[there] ? there : here;
+      const auto high = low == here ? there : here;
+      // Ground on the way down belongs to the first hill that it touches.
+      if (low == pixel || height[low] - height[pixel] < options.least_rise(low))
+        flood.point(low, high);
     }
   }
-  return count;
+  Hills found{Grid<int>(mask.rows(), mask.cols(), -1), 0};
+  for (const std::uint32_t pixel : falling) {
+    const auto summit = flood.summit(pixel);
+    if (summit == pixel)
+      found.of_pixel[pixel] = found.count++;
+    else
+      found.of_pixel[pixel] = found.of_pixel[summit];
+  }
+  return found;
 }
 
 }  // namespace hada

@@ -188,9 +188,11 @@ RoughnessEstimate estimate(const Grid<float>& height, const Mask& mask, double p
   found.value.Sal = texture.shortest_px * pitch;
   found.value.Str = texture.aspect;
   const double area = all.count * pitch * pitch;
-  const int hills = hill_count(height, mask, hill_share * found.value.Sz);
-  found.value.Spd = hills / area;
-  found.sigma.Spd = std::sqrt(double(hills)) / area;
+  const int count =
+      hills(height, mask, {.least_rise = [&](std::size_t) { return hill_share * found.value.Sz; }})
+          .count;
+  found.value.Spd = count / area;
+  found.sigma.Spd = std::sqrt(double(count)) / area;
   if (!with_sigma) return found;
   set_sigma_of_sums(found, all, parts);
   const TextureLengths sigma = texture_lengths_sigma(texture, height, mask);

@@ -27,6 +27,15 @@ void tell(const Measurement& m, const Terminal& terminal) {
                              is_height || field.name == "Sal" ? unit_of(field, m.extent.unit) : "",
                              field.meaning));
   }
+  for (const Band& band : m.bands) {
+    terminal.say(fmt::format(
+        "  waves of {} {}, rms {}, {}", with_sigma(band.wavelength, band.wavelength_sigma), unit,
+        with_sigma(band.rms, band.rms_sigma),
+        band.anisotropy < 0.3
+            ? std::string("in all directions")
+            : "varying along " +
+                  with_sigma(band.direction / degree, band.direction_sigma / degree) + " deg"));
+  }
   std::string at;
   for (const int i : m.ring_peaks) {
     at += fmt::format("{}{:.3g}", at.empty() ? "" : ", ", m.rings.frequency[std::size_t(i)]);

@@ -23,21 +23,45 @@ Grid<float> landscape() {
   return height;
 }
 
-TEST(HillCount, CountsWhatRisesFarEnough) {
-  const Mask mask(90, 120, 1);
-  EXPECT_EQ(hill_count(landscape(), mask, 0.5), 12);
-  EXPECT_EQ(hill_count(landscape(), mask, 0.2), 24);
-  EXPECT_EQ(hill_count(landscape(), mask, 5.0), 1);
+int count(const Grid<float>& height, const Mask& mask, double least_rise) {
+  return hills(height, mask, {.least_rise = [=](std::size_t) { return least_rise; }}).count;
 }
 
-TEST(HillCount, CountsEveryRegionOfTheMaskAlone) {
+TEST(Hills, CountsWhatRisesFarEnough) {
+  const Mask mask(90, 120, 1);
+  EXPECT_EQ(count(landscape(), mask, 0.5), 12);
+  EXPECT_EQ(count(landscape(), mask, 0.2), 24);
+  EXPECT_EQ(count(landscape(), mask, 5.0), 1);
+}
+
+TEST(Hills, CountsEveryRegionOfTheMaskAlone) {
   Mask mask(90, 120, 1);
   for (int row = 0; row < 90; ++row) mask(row, 60) = 0;
-  EXPECT_EQ(hill_count(landscape(), mask, 5.0), 2);
+  EXPECT_EQ(count(landscape(), mask, 5.0), 2);
 }
 
-TEST(HillCount, OfAPlateauIsOne) {
-  EXPECT_EQ(hill_count(Grid<float>(8, 8, 1.0f), Mask(8, 8, 1), 0.1), 1);
+TEST(Hills, DivideTheGroundAmongThem) {
+  const auto found =
+      hills(landscape(), Mask(90, 120, 1), {.least_rise = [](std::size_t) { return 0.5; }});
+  // Every hill has its own rectangle of 30 x 30, up to the valleys between.
+  for (int row = 0; row < 90; ++row) {
+    for (int col = 0; col < 120; ++col) {
+      if (row % 30 == 0 || row % 30 == 29 || col % 30 == 0 || col % 30 == 29) continue;
+      EXPECT_EQ(found.of_pixel(row, col), found.of_pixel(row / 30 * 30 + 15, col / 30 * 30 + 10));
+    }
+  }
+}
+
+TEST(Hills, JoinAcrossTheBorderWhereColumnsWrap) {
+  Grid<float> height(1, 8);
+  for (int col = 0; col < 8; ++col) height(0, col) = float(std::abs(col - 3));
+  const auto rise = [](std::size_t) { return 1.0; };
+  EXPECT_EQ(hills(height, Mask(1, 8, 1), {.least_rise = rise}).count, 2);
+  EXPECT_EQ(hills(height, Mask(1, 8, 1), {.least_rise = rise, .columns_wrap = true}).count, 1);
+}
+
+TEST(Hills, OfAPlateauIsOne) {
+  EXPECT_EQ(count(Grid<float>(8, 8, 1.0f), Mask(8, 8, 1), 0.1), 1);
 }
 
 }  // namespace

@@ -1,0 +1,103 @@
+#include "measure/bands.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "synth/gaussian_field.h"
+
+namespace hada {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr Extent world{.rows = 768, .cols = 768, .pitch = 0.25, .unit = Unit::mm};
+constexpr Extent extent{.rows = 400, .cols = 480, .pitch = 0.25, .unit = Unit::mm};
+
+/// Waves of one length and direction: a Gaussian hump at each of f and -f.
+struct Waves {
+  double wavelength, direction, rms, spread;
+
+  double density(double fx, double fy) const {
+    const double f = 1.0 / wavelength, width = spread * f;
+    const double u = std::abs(fx * std::cos(direction) + fy * std::sin(direction)) - f;
+    const double v = fy * std::cos(direction) - fx * std::sin(direction);
+    return rms * rms / (4.0 * pi * width * width) *
+           std::exp(-0.5 * (u * u + v * v) / (width * width));
+  }
+};
+
+// A part of a larger field, so that it does not tile.
+Grid<float> map_of(const std::vector<Waves>& waves, Seed seed) {
+  const auto field = gaussian_field(
+      [&](double fx, double fy) {
+        double sum = 0.0;
+        for (const Waves& one : waves) sum += one.density(fx, fy);
+        return sum;
+      },
+      world, seed);
+  return crop(field, 100, 60, extent.rows, extent.cols);
+}
+
+std::vector<Band> bands_of(const Grid<float>& map) {
+  const Mask mask(map.rows(), map.cols(), 1);
+  return bands(power_spectrum(map, mask, extent), map, mask);
+}
+
+TEST(Bands, AreTheWavesThatWereAddedUp) {
+  const std::vector<Waves> waves{
+      {16.0, 0.6, 0.4, 0.12}, {6.0, 2.5, 0.1, 0.12}, {2.5, 1.4, 0.02, 0.12}};
+  const auto found = bands_of(map_of(waves, 3));
+  ASSERT_EQ(found.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // What is there scatters about the law by sigma; three of those, and 2 % for the far slopes.
+    const Band& band = found[k];
+    EXPECT_NEAR(band.wavelength, waves[k].wavelength,
+                3.0 * band.wavelength_sigma + 0.02 * band.wavelength);
+    EXPECT_NEAR(band.direction, waves[k].direction, 3.0 * band.direction_sigma + 0.01);
+    EXPECT_NEAR(band.rms, waves[k].rms, 3.0 * band.rms_sigma + 0.02 * band.rms);
+    EXPECT_GT(band.anisotropy, 0.9);
+    EXPECT_LT(band.wavelength_sigma, 0.1 * band.wavelength);
+  }
+}
+
+TEST(Bands, OfOneLengthInAllDirectionsAreOne) {
+  const auto ring = [](double fx, double fy) {
+    const double off = std::hypot(fx, fy) * 3.0 - 1.0;
+    return std::exp(-0.5 * off * off / 0.01);
+  };
+  const auto found = bands_of(crop(gaussian_field(ring, world, 8), 0, 0, extent.rows, extent.cols));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].wavelength, 3.0, 0.06);
+  EXPECT_LT(found[0].anisotropy, 0.15);
+}
+
+TEST(Bands, KeepToWhatIsThereInAPureWave) {
+  Grid<float> map(extent.rows, extent.cols);
+  for (int row = 0; row < map.rows(); ++row) {
+    for (int col = 0; col < map.cols(); ++col) {
+      const auto place = extent.place(row, col);
+      map(row, col) = float(0.3 * std::sin(2.0 * pi * (0.2 * place.x() + 0.1 * place.y())));
+    }
+  }
+  const auto found = bands_of(map);
+  ASSERT_FALSE(found.empty());
+  EXPECT_NEAR(found[0].wavelength, 1.0 / std::hypot(0.2, 0.1), 0.02);
+  EXPECT_NEAR(found[0].direction, std::atan2(0.1, 0.2), 0.01);
+  EXPECT_NEAR(found[0].rms, 0.3 / std::sqrt(2.0), 0.003);
+}
+
+TEST(Bands, AreTheSameAtAnyThreadCount) {
+  const auto map = map_of({{16.0, 0.6, 0.4, 0.12}, {6.0, 2.5, 0.1, 0.12}}, 4);
+  set_threads(1);
+  const auto one = bands_of(map);
+  set_threads(3);
+  const auto three = bands_of(map);
+  set_threads(0);
+  ASSERT_EQ(one.size(), three.size());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].rms, three[k].rms);
+}
+
+}  // namespace
+}  // namespace hada
