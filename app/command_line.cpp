@@ -153,6 +153,12 @@ void add_modelling(Commands& commands) {
             .add_option("--components", a.components,
                         "number of components (default: the data decide)")
             ->check(CLI::Range(1, 8));
+        command.add_option("--face", a.face,
+                           "of wood: picture of the tangential face, stem upright, same pitch");
+        command
+            .add_option("--view", a.view,
+                        "of wood: whether the input is an end-grain or a face (default: automatic)")
+            ->check(CLI::IsMember({"automatic", "end-grain", "face"}));
         add_out(command, a, "material file to write (default: material.json)");
       });
   commands.add("synth", "Make more of a surface from its material file",

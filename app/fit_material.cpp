@@ -18,8 +18,11 @@ Fit<Wrinkle<>> fit_like(const Wrinkle<>&, Surface surface, const FitMaterialOpti
   return fit;
 }
 
-Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOptions&) {
-  return fit_wood(surface);
+Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOptions& options) {
+  const WoodView view = options.view == "face"        ? WoodView::face
+                        : options.view == "end-grain" ? WoodView::end_grain
+                                                      : WoodView::automatic;
+  return fit_wood(surface, {.view = view, .face = options.face});
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 namespace hada {
 
 struct FitMaterialOptions {
-  int components = 0;  // of a material that has a list of them; 0: the data decide
+  int components = 0;              // of a material that has a list of them; 0: the data decide
+  std::string view = "automatic";  // of wood: automatic, end-grain or face
+  const Surface* face = nullptr;   // of wood: the tangential face of the block, beside its end
 };
 
 /// The material `name` that explains `surface` best.

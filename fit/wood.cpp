@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quantile.h"
 #include "fit/end_grain.h"
+#include "fit/face_grain.h"
 #include "fit/ring_colours.h"
 
 namespace hada {
@@ -69,10 +71,70 @@ void set_colours(Fit<Wood<>>& fit, const Surface& surface, const EndGrain& grain
   fit.sigma.latewood_onset = sigma.latewood_onset;
 }
 
+/// Mean width of a ring, in the unit of the picture; 1 if none are known.
+double usual_width(const std::vector<double>& radii) {
+  return radii.size() < 2 ? 1.0 : (radii.back() - radii.front()) / double(radii.size() - 1);
+}
+
+void set_grain(Fit<Wood<>>& fit, const FaceGrain& grain) {
+  fit.material.spiral = grain.gradient.value;
+  fit.sigma.spiral = grain.gradient.sigma;
+  if (grain.kind != FaceGrain::Kind::interlocked) {
+    fit.material.wave_amplitude = grain.amplitude.value;
+    fit.sigma.wave_amplitude = std::max(grain.amplitude.sigma, grain.gradient.sigma);
+  }
+  if (grain.kind != FaceGrain::Kind::wavy) {
+    fit.material.interlock_amplitude = grain.amplitude.value;
+    fit.sigma.interlock_amplitude = std::max(grain.amplitude.sigma, grain.gradient.sigma);
+  }
+  if (grain.kind == FaceGrain::Kind::wavy) {
+    fit.material.wave_length_mm = grain.length.value;
+    fit.sigma.wave_length_mm = grain.length.sigma;
+    fit.material.wave_phase_rad = grain.phase.value;
+    fit.sigma.wave_phase_rad = grain.phase.sigma;
+  }
+  if (grain.kind == FaceGrain::Kind::interlocked) {
+    const double width = usual_width(fit.material.ring_radii_mm);
+    fit.material.interlock_period = grain.length.value / width;
+    fit.sigma.interlock_period = grain.length.sigma / width;
+  }
+}
+
+/// A face alone: one colour, cut through the stem far from its pith.
+void set_face(Fit<Wood<>>& fit, const Surface& surface) {
+  constexpr double far_mm = 100.0;
+  fit.material.ring_radii_mm.clear();
+  fit.sigma.ring_radii_mm.clear();
+  fit.sigma.lobes.assign(fit.material.lobes.size(), {0.0, 0.1, 0.1, 0.0, 0.0});
+  fit.material.cut_origin_mm = {far_mm, 0.0, 0.0};
+  fit.material.cut_right = {0.0, 1.0, 0.0};
+  fit.material.cut_up = {0.0, 0.0, 1.0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& plane = surface.albedo.planes[std::min(c, surface.albedo.planes.size() - 1)];
+    std::vector<float> values;
+    for (std::size_t i = 0; i < plane.size(); i += 7) {
+      if (surface.mask[i]) values.push_back(plane[i]);
+    }
+    const double usual = values.empty() ? 0.5 : double(median(values));
+    fit.material.early_rgb[c] = fit.material.late_rgb[c] = std::clamp(usual, 0.0, 1.0);
+    fit.sigma.early_rgb[c] = fit.sigma.late_rgb[c] =
+        values.empty() ? 0.3 : 0.5 * double(quantile(values, 0.84) - quantile(values, 0.16));
+  }
+}
+
+std::vector<std::string> remarks_on(const FaceGrain& grain) {
+  std::vector<std::string> remarks;
+  if (grain.kind == FaceGrain::Kind::straight)
+    remarks.push_back("The fibres of the face lean evenly: no wave or interlock can be told.");
+  if (2 * grain.parts < grain.asked) {
+    remarks.push_back("Fibres can be seen in " + std::to_string(grain.parts) + " of " +
+                      std::to_string(grain.asked) + " parts of the face.");
+  }
+  return remarks;
+}
+
 std::vector<std::string> remarks_on(const EndGrain& grain) {
-  std::vector<std::string> remarks = {
-      "An end grain does not show how fibres lean: spiral, wave and interlock keep their defaults; "
-      "give the tangential face as well."};
+  std::vector<std::string> remarks;
   if (!grain.pith_inside) {
     remarks.push_back(
         "The pith lies outside the picture: ring radii count from where the rings seem to meet.");
@@ -86,16 +148,43 @@ std::vector<std::string> remarks_on(const EndGrain& grain) {
   return remarks;
 }
 
+void add(std::vector<std::string>& remarks, const std::vector<std::string>& more) {
+  remarks.insert(remarks.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
-Fit<Wood<>> fit_wood(const Surface& surface) {
-  const EndGrain grain = end_grain(surface);
+Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options) {
   Fit<Wood<>> fit;
   fit.sigma = unknown();
+  fit.starts = fit.agreeing = 1;
+  const bool is_face =
+      options.view == WoodView::face ||
+      (options.view == WoodView::automatic && !options.face && looks_like_a_face(surface));
+  if (is_face) {
+    const FaceGrain grain = face_grain(surface);
+    set_face(fit, surface);
+    set_grain(fit, grain);
+    fit.remarks = {
+        "Taken for a face along the stem: it does not show pith or ring radii, and a flat "
+        "patch cannot tell the distance of the pith from the width of the rings."};
+    add(fit.remarks, remarks_on(grain));
+    return fit;
+  }
+  const EndGrain grain = end_grain(surface);
   set_shape(fit, grain, surface.extent.pitch);
   set_colours(fit, surface, grain);
-  fit.starts = fit.agreeing = 1;
   fit.remarks = remarks_on(grain);
+  if (options.face) {
+    const FaceGrain lean = face_grain(*options.face);
+    set_grain(fit, lean);
+    add(fit.remarks, remarks_on(lean));
+  } else {
+    fit.remarks.insert(
+        fit.remarks.begin(),
+        "An end grain does not show how fibres lean: spiral, wave and interlock keep "
+        "their defaults; give the tangential face as well.");
+  }
   return fit;
 }
 

@@ -6,12 +6,28 @@
 
 namespace hada {
 
-/// The stem that explains the picture of an end grain: pith, lobes, radii of the rings, and how a
-/// ring changes its colour. What an end grain does not show keeps its default, with a sigma that
-/// says that nothing is known, and a remark.
+/// What the first picture shows.
+enum class WoodView {
+  automatic,  // a face if fibres run up the picture, else an end grain
+  end_grain,
+  face,  // cut along the stem, the stem upright in the picture
+};
+
+struct WoodFitOptions {
+  WoodView view = WoodView::automatic;
+  const Surface* face = nullptr;  // of the same stem, next to an end grain
+};
+
+/// The stem that explains the picture of an end grain, of a face, or of both.
 ///
-/// Frame: origin at the centre of the picture, x right, y up, the cut at z = 0.
-/// throws  what `end_grain` does
-Fit<Wood<>> fit_wood(const Surface& surface);
+/// An end grain shows pith, lobes, radii of the rings and how a ring changes its colour; a face
+/// shows how fibres lean. What the pictures do not show keeps its default, with a sigma that says
+/// that nothing is known, and a remark. The length of an interlock that no rings are known for is
+/// counted in mm.
+///
+/// Frame: origin at the centre of the end grain, x right, y up, the cut at z = 0; of a face alone,
+/// z is 0 at its centre.
+/// throws  what `end_grain` and `face_grain` do
+Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options = {});
 
 }  // namespace hada

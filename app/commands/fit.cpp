@@ -19,9 +19,13 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
   material_named(arguments.material);  // an unknown name is said before anything is read
   terminal.step("reading " + arguments.input.string());
   const Surface surface = read_surface(arguments.input, arguments.pitch_mm);
+  std::optional<Surface> face;
+  if (!arguments.face.empty()) face = read_surface(arguments.face, arguments.pitch_mm);
   terminal.step("fitting " + arguments.material);
   const MaterialFile file = fit_material(arguments.material, surface, last_name(arguments.input),
-                                         {.components = arguments.components});
+                                         {.components = arguments.components,
+                                          .view = arguments.view,
+                                          .face = face ? &*face : nullptr});
   const std::string text = material_text(file);
   write_text(arguments.out, text);
   for (const auto& line : told(file)) terminal.say(line);

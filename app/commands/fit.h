@@ -13,7 +13,9 @@ struct FitArguments {
   std::filesystem::path input;  // surface folder, height map or picture
   std::filesystem::path out = "material.json";
   std::optional<double> pitch_mm;
-  int components = 0;  // 0: the data decide
+  int components = 0;              // 0: the data decide
+  std::string view = "automatic";  // of wood: automatic, end-grain or face
+  std::filesystem::path face;      // of wood: picture of the tangential face; may be empty
 };
 
 /// Finds the parameters of a material that explain a surface.

@@ -1,0 +1,206 @@
+#include "fit/face_grain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "core/error.h"
+#include "core/quantile.h"
+#include "fit/pith.h"
+#include "measure/line_field.h"
+
+namespace hada {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr float darkest = 0.01f;       // brightness that still counts
+constexpr int fewest_parts = 12;       // that must show fibres
+constexpr int fewest_directions = 50;  // of rings, to ask where they meet
+constexpr double least_gain = 12.0;    // of the information criterion, for a period
+constexpr double neighbours = 2.0;     // parts whose streaks are partly the same rows
+constexpr double pulled = 0.0025;      // slope by which borders of rings may pull the fibres
+constexpr double compared_px = 18.0;   // rows over which the slope of a streak is a mean
+constexpr double loss_scale = 2.5;     // scatters, of the Cauchy loss
+
+/// slope = state[0] + state[1] sin + state[2] cos of turn s / length; length 0: state[0] alone.
+struct Wave {
+  double length = 0.0;
+  Eigen::Vector3d state = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double scatter = 0.0;
+  double cost = HUGE_VAL;  // robust, for one scatter shared by all that are compared
+};
+
+/// A part as a line of least squares: where, and its slope.
+struct Part {
+  double s, slope, weight;
+};
+
+Eigen::Vector3d row_of(double s, double length) {
+  if (length <= 0.0) return {1.0, 0.0, 0.0};
+  return {1.0, std::sin(turn * s / length), std::cos(turn * s / length)};
+}
+
+Wave fitted(const std::vector<Part>& parts, double length, double scale, int rounds) {
+  Wave wave{.length = length};
+  std::vector<double> slopes;
+  for (const Part& part : parts) slopes.push_back(part.slope);
+  wave.state[0] = median(slopes);
+  for (int round = 0; round <= rounds; ++round) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    std::vector<double> sizes;
+    wave.cost = 0.0;
+    for (const Part& part : parts) {
+      const Eigen::Vector3d row = row_of(part.s, length);
+      const double off = part.slope - row.dot(wave.state);
+      const double relative = off / (loss_scale * scale);
+      const double weight = part.weight / (1.0 + relative * relative);
+      normal += weight * row * row.transpose();
+      right += weight * part.slope * row;
+      wave.cost += part.weight * std::log1p(relative * relative) * loss_scale * loss_scale;
+      sizes.push_back(std::abs(off));
+    }
+    wave.scatter = std::max(1.4826 * median(sizes), 1e-6);
+    if (length <= 0.0) normal.diagonal().tail<2>().setOnes();
+    normal.diagonal() *= 1.0 + 1e-9;
+    wave.covariance = normal.inverse() * neighbours * wave.scatter * wave.scatter;
+    if (round < rounds) wave.state = normal.ldlt().solve(right);
+  }
+  return wave;
+}
+
+/// The period that explains the parts best, from `least` to `most`.
+Wave best_wave(const std::vector<Part>& parts, double least, double most, double scale) {
+  constexpr int lengths = 160;
+  Wave best;
+  for (int k = 0; k < lengths; ++k) {
+    const Wave wave =
+        fitted(parts, least * std::pow(most / least, double(k) / (lengths - 1)), scale, 4);
+    if (wave.cost < best.cost) best = wave;
+  }
+  double reach = std::pow(most / least, 1.0 / (lengths - 1)) - 1.0;
+  for (int halving = 0; halving < 12; ++halving, reach *= 0.5) {
+    for (const double factor : {1.0 - reach, 1.0 + reach}) {
+      const Wave wave = fitted(parts, best.length * factor, scale, 8);
+      if (wave.cost < best.cost) best = wave;
+    }
+  }
+  return best;
+}
+
+/// Where streaks are clearer their slope is surer.
+std::vector<Part> along(const std::vector<Streak>& seen, int axis) {
+  std::vector<double> likeness;
+  for (const Streak& streak : seen) likeness.push_back(streak.likeness);
+  const double usual = median(likeness);
+  std::vector<Part> parts;
+  for (const Streak& streak : seen) {
+    parts.push_back(
+        {streak.place[axis], streak.slope, std::clamp(streak.likeness / usual, 0.2, 2.0)});
+  }
+  return parts;
+}
+
+/// What a mean over `width` leaves of the amplitude of a wave.
+double left_by_mean(double width, double length) {
+  const double half = 0.5 * turn * width / length;
+  return half < 1e-6 ? 1.0 : std::sin(half) / half;
+}
+
+Grid<float> absorbance(const Surface& surface) {
+  if (surface.albedo.empty()) {
+    throw Error("wood: the surface has no albedo; give a picture of a face");
+  }
+  auto map = luminance(surface.albedo);
+  for (float& value : map) value = std::log(std::max(value, darkest));
+  return map;
+}
+
+/// Parts so small that there are some dozens of them.
+StreakOptions tiles_for(const Extent& extent) {
+  return {.tile_rows = 32, .tile_cols = std::clamp(extent.cols / 6, 36, 80)};
+}
+
+int parts_of(const Extent& extent) {
+  const auto tiles = tiles_for(extent);
+  return extent.rows / tiles.tile_rows * (extent.cols / tiles.tile_cols);
+}
+
+FaceGrain grain_of(const std::vector<Streak>& seen, const Extent& extent) {
+  const auto tiles = tiles_for(extent);
+  const double height = extent.height(), width = extent.width();
+  const auto up = along(seen, 1), across = along(seen, 0);
+  const Wave straight = fitted(up, 0.0, fitted(up, 0.0, 0.1, 3).scatter, 8);
+  const double tile_up = tiles.tile_rows * extent.pitch,
+               tile_across = tiles.tile_cols * extent.pitch;
+  Wave wavy, interlocked;
+  if (height > 6.0 * tile_up) wavy = best_wave(up, 2.5 * tile_up, height / 1.2, straight.scatter);
+  if (width > 4.0 * tile_across)
+    interlocked = best_wave(across, 2.5 * tile_across, width / 1.2, straight.scatter);
+  const bool is_wavy = wavy.cost <= interlocked.cost;
+  const Wave& wave = is_wavy ? wavy : interlocked;
+  FaceGrain grain;
+  grain.parts = int(seen.size());
+  const double independent = double(seen.size()) / neighbours;
+  const double gain = 2.0 * independent * std::log(straight.scatter / wave.scatter) -
+                      3.0 * std::log(std::max(independent, 2.0));
+  const double amplitude = std::hypot(wave.state[1], wave.state[2]);
+  if (!(gain > least_gain) || amplitude < 2.0 * pulled) {
+    grain.gradient = {straight.state[0], std::hypot(std::sqrt(straight.covariance(0, 0)), pulled)};
+    grain.scatter = straight.scatter;
+    return grain;
+  }
+  // Once more, with the scatter that is left.
+  const Wave sharp =
+      best_wave(is_wavy ? up : across, 0.9 * wave.length, 1.1 * wave.length, wave.scatter);
+  const double left = is_wavy ? left_by_mean(tile_up, sharp.length) *
+                                    left_by_mean(compared_px * extent.pitch, sharp.length)
+                              : left_by_mean(tile_across, sharp.length);
+  const double found = std::hypot(sharp.state[1], sharp.state[2]);
+  const double spread = std::sqrt(0.5 * (sharp.covariance(1, 1) + sharp.covariance(2, 2)));
+  grain.kind = is_wavy ? FaceGrain::Kind::wavy : FaceGrain::Kind::interlocked;
+  grain.gradient = {sharp.state[0], std::hypot(std::sqrt(sharp.covariance(0, 0)), pulled)};
+  grain.amplitude = {found / left, std::hypot(spread, pulled) / left};
+  grain.phase = {std::atan2(sharp.state[2], sharp.state[1]), spread / found};
+  // A phase known to so much at both ends of the face (uniform parts: span / sqrt 12 from the
+  // mean).
+  const double span = (is_wavy ? height : width) / std::sqrt(12.0);
+  grain.length = {sharp.length, sharp.length * sharp.length / turn * spread / found / span};
+  grain.scatter = sharp.scatter;
+  return grain;
+}
+
+}  // namespace
+
+FaceGrain face_grain(const Surface& surface) {
+  const auto seen =
+      streaks(absorbance(surface), surface.mask, surface.extent, tiles_for(surface.extent));
+  if (int(seen.size()) < fewest_parts) {
+    throw Error(
+        "wood: too few fibres can be seen on this face; give a sharp picture with the stem "
+        "upright");
+  }
+  FaceGrain grain = grain_of(seen, surface.extent);
+  grain.asked = parts_of(surface.extent);
+  return grain;
+}
+
+bool looks_like_a_face(const Surface& surface) {
+  constexpr double far = 6.0;          // diagonals to where lines meet that run side by side
+  constexpr double least_share = 0.2;  // of the parts must show fibres
+  const auto map = absorbance(surface);
+  const auto seen = streaks(map, surface.mask, surface.extent, tiles_for(surface.extent));
+  if (int(seen.size()) < fewest_parts ||
+      double(seen.size()) < least_share * parts_of(surface.extent))
+    return false;
+  const auto directions = ring_directions(line_field(map, surface.mask), surface.extent);
+  if (int(directions.size()) < fewest_directions) return true;
+  const double diagonal = std::hypot(surface.extent.width(), surface.extent.height());
+  return pith_guess(directions, surface.extent).place.norm() > far * diagonal;
+}
+
+}  // namespace hada
