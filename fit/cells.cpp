@@ -55,9 +55,9 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
     const double fy = spectrum.fy(row);
     for (int col = 0; col <= extent.cols / 2; ++col) {
       if (col == 0 && i < 0) continue;  // seen at (-i, 0)
-      if (std::hypot(i, col) < options.empty_steps) continue;
+      if (std::sqrt(double(i) * i + double(col) * col) < options.empty_steps) continue;
       const double fx = spectrum.fx(col);
-      const double radius = std::hypot(fx, fy);
+      const double radius = std::sqrt(fx * fx + fy * fy);
       if (radius >= options.reach * 0.5 / extent.pitch) continue;
       const double power = spectrum.power(row, col);
       const Sums alone{

@@ -3,33 +3,27 @@
 #include <cmath>
 #include <vector>
 
+#include <ceres/jet.h>
+
+#include "core/field.h"
 #include "core/scalar.h"
 #include "fit/cells.h"
 #include "synth/wrinkle.h"
 
 namespace hada {
 
-/// Whether derivatives are asked for with respect to anything that made this covariance.
+/// What one component sends into a cell.
 template <class T>
-bool varies(const GaussianCovariance<T>& covariance) {
-  if constexpr (requires { covariance.variance.v; }) {
-    return !(covariance.variance.v.isZero() && covariance.xx.v.isZero() &&
-             covariance.xy.v.isZero() && covariance.yy.v.isZero());
-  } else {
-    return true;
-  }
+T density_in(const Cell& cell, const GaussianCovariance<T>& covariance) {
+  const GaussianCovariance<T> seen{covariance.variance, covariance.xx + cell.xx,
+                                   covariance.xy + cell.xy, covariance.yy + cell.yy};
+  return psd(seen, cell.fx, cell.fy);
 }
 
-/// Adds what one component sends into every cell.
-template <class T, class U>
-void add_density(std::vector<T>& sums, const GaussianCovariance<U>& covariance,
-                 const std::vector<Cell>& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Cell& cell = cells[i];
-    const GaussianCovariance<U> seen{covariance.variance, covariance.xx + cell.xx,
-                                     covariance.xy + cell.xy, covariance.yy + cell.yy};
-    sums[i] += psd(seen, cell.fx, cell.fy);
-  }
+/// What arrives of the power that all components and the floor send.
+template <class T>
+T received(const Cell& cell, const T& sent) {
+  return sent * cell.correction + (cell.leakage + cell.noise);
 }
 
 /// The expected power of every cell.
@@ -38,17 +32,9 @@ std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cel
   std::vector<T> sums(cells.size(), wrinkle.floor_mm4);
   for (const auto& component : wrinkle.components) {
     const auto covariance = autocovariance(component);
-    if (varies(covariance)) {
-      add_density(sums, covariance, cells);
-    } else {
-      // Derivatives are taken a few fields at a time: most components stand still meanwhile.
-      const GaussianCovariance<> still{value_of(covariance.variance), value_of(covariance.xx),
-                                       value_of(covariance.xy), value_of(covariance.yy)};
-      add_density(sums, still, cells);
-    }
+    for (std::size_t i = 0; i < cells.size(); ++i) sums[i] += density_in(cells[i], covariance);
   }
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    sums[i] = sums[i] * cells[i].correction + cells[i].leakage + cells[i].noise;
+  for (std::size_t i = 0; i < cells.size(); ++i) sums[i] = received(cells[i], sums[i]);
   return sums;
 }
 
@@ -77,42 +63,94 @@ T deviance_residual(const T& d) {
   return plain < 0.0 ? -root : root;
 }
 
+/// Residuals of a wrinkle, one for each cell: a function of its measured and its expected power.
+///
+/// The derivatives are those that `evaluator` would find for any material, but each component is
+/// looked at once, and not again while those of the others are taken.
+template <class OfPower>
+class CellResiduals {
+ public:
+  CellResiduals(const std::vector<Cell>& cells, const OfPower& of_power)
+      : cells_(cells), of_power_(of_power) {}
+
+  template <class T>
+  void operator()(const Wrinkle<T>& wrinkle, T* r) const {
+    const auto model = densities(wrinkle, cells_);
+    for (std::size_t i = 0; i < cells_.size(); ++i) r[i] = of_power_(cells_[i], model[i]);
+  }
+
+  /// The residuals at `packed` and their derivatives, a row each.
+  void evaluate(const Wrinkle<>& shape, const double* packed, double* residuals,
+                double* jacobian) const {
+    constexpr int stride = 4;  // fields of a component
+    using Jet = ceres::Jet<double, stride>;
+    const int parts = int(shape.components.size());
+    const int size = stride * parts + 1;
+    std::vector<Jet> point(packed, packed + size);
+    const auto moving = [&](int first, int count, const auto& use) {
+      for (int k = 0; k < count; ++k) point[std::size_t(first + k)].v[k] = 1.0;
+      use(unpack(shape, point.data()));
+      for (int k = 0; k < count; ++k) point[std::size_t(first + k)].v.setZero();
+    };
+    std::vector<double> sent(cells_.size(), 0.0);
+    for (int part = 0; part < parts; ++part) {
+      moving(stride * part, stride, [&](const Wrinkle<Jet>& wrinkle) {
+        const auto covariance = autocovariance(wrinkle.components[std::size_t(part)]);
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+          const Jet density = density_in(cells_[i], covariance);
+          sent[i] += density.a;
+          for (int k = 0; k < stride; ++k) {
+            jacobian[int(i) * size + stride * part + k] = density.v[k];
+          }
+        }
+      });
+    }
+    moving(size - 1, 1, [&](const Wrinkle<Jet>& wrinkle) {
+      for (std::size_t i = 0; i < cells_.size(); ++i) {
+        sent[i] += wrinkle.floor_mm4.a;
+        jacobian[int(i) * size + size - 1] = wrinkle.floor_mm4.v[0];
+      }
+    });
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const ceres::Jet<double, 1> power(sent[i], 0);
+      const auto residual = of_power_(cells_[i], received(cells_[i], power));
+      residuals[i] = residual.a;
+      for (int k = 0; k < size; ++k) jacobian[int(i) * size + k] *= residual.v[0];
+    }
+  }
+
+ private:
+  const std::vector<Cell>& cells_;
+  OfPower of_power_;
+};
+
 /// Forgiving log ratios, for starts that are far away.
 inline auto log_ratios(const std::vector<Cell>& cells, double independence) {
-  return [&cells, independence](const auto& wrinkle, auto* r) {
+  return CellResiduals(cells, [independence](const Cell& cell, const auto& model) {
     using std::log;
     constexpr double cauchy_scale = 3.0;  // deviations beyond which a cell loses its say
-    const auto model = densities(wrinkle, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const double n = cells[i].count;
-      const double bias = 1.0 / (2.0 * n) + 1.0 / (12.0 * n * n);  // of the log of a mean of n
-      r[i] =
-          softened(std::sqrt(independence * n) * (std::log(cells[i].power) + bias - log(model[i])),
-                   cauchy_scale);
-    }
-  };
+    const double n = cell.count;
+    const double bias = 1.0 / (2.0 * n) + 1.0 / (12.0 * n * n);  // of the log of a mean of n
+    return softened(std::sqrt(independence * n) * (std::log(cell.power) + bias - log(model)),
+                    cauchy_scale);
+  });
 }
 
 /// Half the sum of squares is the negative logarithm of the Whittle likelihood.
 inline auto deviances(const std::vector<Cell>& cells, double independence) {
-  return [&cells, independence](const auto& wrinkle, auto* r) {
+  return CellResiduals(cells, [independence](const Cell& cell, const auto& model) {
     using std::log;
-    const auto model = densities(wrinkle, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      r[i] = std::sqrt(independence * cells[i].count) *
-             deviance_residual(std::log(cells[i].power) - log(model[i]));
-    }
-  };
+    return std::sqrt(independence * cell.count) *
+           deviance_residual(std::log(cell.power) - log(model));
+  });
 }
 
 /// sqrt(kappa n) ln S: the Jacobian J of this has the Fisher information J^T J.
 inline auto whitened_logarithms(const std::vector<Cell>& cells, double independence) {
-  return [&cells, independence](const auto& wrinkle, auto* r) {
+  return CellResiduals(cells, [independence](const Cell& cell, const auto& model) {
     using std::log;
-    const auto model = densities(wrinkle, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      r[i] = std::sqrt(independence * cells[i].count) * log(model[i]);
-  };
+    return std::sqrt(independence * cell.count) * log(model);
+  });
 }
 
 }  // namespace hada

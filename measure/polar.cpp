@@ -15,10 +15,10 @@ struct Bin {
   double sum_of_squares = 0.0;
   int count = 0;
 
-  void add(double power) {
-    sum += power;
-    sum_of_squares += power * power;
-    ++count;
+  void add(double power, int times) {
+    sum += times * power;
+    sum_of_squares += times * power * power;
+    count += times;
   }
   double density() const { return count > 0 ? sum / count : 0.0; }
   /// An ordinate is exponentially distributed, so that its variance is half its mean square; it
@@ -32,16 +32,18 @@ double nyquist(const Spectrum& spectrum) {
   return 0.5 / spectrum.extent.pitch;
 }
 
-/// Calls visit(fx, fy, radius, power) for every ordinate inside the Nyquist circle but the mean.
+/// Calls visit(fx, fy, radius, power, times) for every ordinate of half a plane inside the Nyquist
+/// circle but the mean, `times` that it stands for: f and -f are two.
 template <class Visit>
 void visit_ordinates(const Spectrum& spectrum, const Visit& visit) {
+  const int cols = spectrum.power.cols();
   for (int row = 0; row < spectrum.power.rows(); ++row) {
     const double fy = spectrum.fy(row);
-    for (int col = 0; col < spectrum.power.cols(); ++col) {
-      if (row == 0 && col == 0) continue;
+    for (int col = row == 0 ? 1 : 0; 2 * col <= cols; ++col) {
       const double fx = spectrum.fx(col);
-      const double radius = std::hypot(fx, fy);
-      if (radius < nyquist(spectrum)) visit(fx, fy, radius, spectrum.power(row, col));
+      const double radius = std::sqrt(fx * fx + fy * fy);
+      if (radius >= nyquist(spectrum)) continue;
+      visit(fx, fy, radius, spectrum.power(row, col), col == 0 || 2 * col == cols ? 1 : 2);
     }
   }
 }
@@ -62,8 +64,8 @@ Rings rings(const Spectrum& spectrum, int count) {
   const int most = std::min(spectrum.extent.rows, spectrum.extent.cols) / 2;
   std::vector<Bin> bins(std::size_t(std::clamp(count, 1, most)));
   const double width = nyquist(spectrum) / double(bins.size());
-  visit_ordinates(spectrum, [&](double, double, double radius, double power) {
-    bins[std::min(std::size_t(radius / width), bins.size() - 1)].add(power);
+  visit_ordinates(spectrum, [&](double, double, double radius, double power, int times) {
+    bins[std::min(std::size_t(radius / width), bins.size() - 1)].add(power, times);
   });
   Rings result;
   for (std::size_t k = 0; k < bins.size(); ++k) {
@@ -76,10 +78,10 @@ Rings rings(const Spectrum& spectrum, int count) {
 Sectors sectors(const Spectrum& spectrum, int count, double low, double high) {
   std::vector<Bin> bins(std::size_t(std::max(count, 1)));
   const double width = std::numbers::pi / double(bins.size());
-  visit_ordinates(spectrum, [&](double fx, double fy, double radius, double power) {
+  visit_ordinates(spectrum, [&](double fx, double fy, double radius, double power, int times) {
     if (radius < low || radius >= high) return;
     const double angle = half_turn(std::atan2(fy, fx));
-    bins[std::min(std::size_t(angle / width), bins.size() - 1)].add(power);
+    bins[std::min(std::size_t(angle / width), bins.size() - 1)].add(power, times);
   });
   Sectors result;
   for (std::size_t k = 0; k < bins.size(); ++k) {

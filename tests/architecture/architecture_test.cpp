@@ -53,6 +53,7 @@ const std::map<std::string, Names> doors = {
     {"io/json.h", {"nlohmann"}},
     {"io/json_light.h", {}},
     {"fit/solve.h", {"ceres"}},
+    {"fit/whittle.h", {"ceres"}},
     {"capture/joint_problem.h", {"ceres"}},
     {"capture/opencv_view.h", {"opencv2"}},
 };
