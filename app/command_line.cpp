@@ -2,6 +2,7 @@
 
 #include "app/command_list.h"
 #include "app/commands/calibrate.h"
+#include "app/commands/classify.h"
 #include "app/commands/compare.h"
 #include "app/commands/demo.h"
 #include "app/commands/fit.h"
@@ -130,6 +131,16 @@ void add_measuring(Commands& commands) {
                  command.add_option("input", a.input, input_words)->required();
                  add_pitch(command, a);
                  add_out(command, a, "folder for measure.json and spectrum.png");
+               });
+  commands.add("classify", "Say which of several kinds of sheet a surface is like",
+               "hada classify out/surface -o classified.json", classify_command,
+               [](CLI::App& command, ClassifyArguments& a) {
+                 command.add_option("input", a.input, input_words)->required();
+                 command.add_option("--among", a.among,
+                                    "folder with a wrinkle file for each kind (default: seven "
+                                    "papers)");
+                 add_pitch(command, a);
+                 add_out(command, a, "JSON file to write");
                });
   commands.add("compare", "Say how far two surfaces differ",
                "hada compare out/surface out/capture/truth -o out/compared", compare_command,

@@ -18,7 +18,7 @@
 #include "bench/normals_study.h"
 #include "bench/process.h"
 #include "bench/results_page.h"
-#include "bench/wrinkle_study.h"
+#include "bench/results_wrinkle.h"
 #include "core/quantile.h"
 
 namespace {
@@ -185,32 +185,6 @@ std::string virtual_captures() {
               verdict(worst(heights) <= 2.0)});
 }
 
-std::string wrinkle_fits() {
-  std::string page = table("Wrinkle parameters: 40 maps of 512 x 512, three components",
-                           "| maps | parameter | median error | 95 % intervals hold the truth |");
-  std::string ends;
-  for (const double noise_mm : {0.003, 0.0}) {
-    say(fmt::format("wrinkle fits, noise {} mm", noise_mm));
-    const std::string maps = fmt::format("noise {} mm", noise_mm);
-    const auto score = hada::study_wrinkles({.components = 3, .noise_mm = noise_mm});
-    bool met = score.coverage >= 0.90 && score.coverage <= 0.98;
-    for (const auto& field : score.fields) {
-      const bool angle = field.path.find("angle") != std::string::npos;
-      met = met && (angle ? field.median_error <= 1.5 : field.median_error <= 0.05);
-      page += row({maps, field.path,
-                   angle ? fmt::format("{:.2f} deg", field.median_error)
-                         : fmt::format("{:.2f} %", 100.0 * field.median_error),
-                   fmt::format("{:.0f} %", 100.0 * field.coverage)});
-    }
-    ends += fmt::format(
-        "\n{}: 95 % intervals hold the truth in {:.1f} % of all; a fit takes {:.2f} s. Amplitude "
-        "and "
-        "lengths within 5 %, angle within 1.5 deg, coverage 90 to 98 %: {}.\n",
-        maps, 100.0 * score.coverage, score.seconds_median, verdict(met));
-  }
-  return page + ends;
-}
-
 std::string integration_speed() {
   say("integration, beside other solvers");
   std::string page =
@@ -324,9 +298,15 @@ std::string text_of(const char* path) {
 int main(int argc, char** argv) {
   // The program itself first, while this process is small: a child's memory counts its parent's.
   const std::vector<std::pair<std::string, std::string (*)()>> parts{
-      {"program", program},          {"real", real_photographs},    {"rendered", rendered_captures},
-      {"lights", light_intervals},   {"normals", estimators},       {"virtual", virtual_captures},
-      {"depth", depth_from_normals}, {"height", integration_speed}, {"wrinkle", wrinkle_fits}};
+      {"program", program},
+      {"real", real_photographs},
+      {"rendered", rendered_captures},
+      {"lights", light_intervals},
+      {"normals", estimators},
+      {"virtual", virtual_captures},
+      {"depth", depth_from_normals},
+      {"height", integration_speed},
+      {"wrinkle", hada::wrinkle_results}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");
     for (const auto& [name, measure] : parts) std::fprintf(stderr, " %s", name.c_str());

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
+#include "core/parallel.h"
 #include "core/random.h"
 #include "fit/wrinkle.h"
 #include "synth/synthesize.h"
@@ -60,6 +62,27 @@ FieldScore score(const std::string& path, const Errors& errors) {
   result.coverage /= n;
   result.spread = std::sqrt(squares / n);
   return result;
+}
+
+double processor_seconds() {
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// prepare  gives the work of a run; only the work is timed
+template <class Prepare>
+double seconds_of(int runs, const Prepare& prepare) {
+  set_threads(1);
+  std::vector<double> seconds;
+  for (int run = 0; run < runs; ++run) {
+    const auto work = prepare(run);
+    const double begin = processor_seconds();
+    work();
+    seconds.push_back(processor_seconds() - begin);
+  }
+  set_threads(0);
+  return median(seconds);
 }
 
 }  // namespace
@@ -126,6 +149,43 @@ WrinkleScore study_wrinkles(const WrinkleStudyOptions& options) {
   result.coverage /= double(result.fields.size());
   result.seconds_median = median(seconds);
   return result;
+}
+
+double study_component_count(int maps) {
+  int right = 0;
+  for (int map = 0; map < maps; ++map) {
+    const int count = 1 + map % 4;
+    Wrinkle<> truth{.components = {}};
+    double size_mm = 0.2 * (1.3 + 0.4 * uniform(8000, map, 0));
+    double amplitude_mm = 0.02;
+    for (int k = 0; k < count; ++k) {
+      const double ratio = 1.3 + uniform(8000, map, 10 + k);
+      truth.components.push_back({.amplitude_mm = amplitude_mm,
+                                  .long_mm = size_mm * std::sqrt(ratio),
+                                  .short_mm = size_mm / std::sqrt(ratio),
+                                  .angle_rad = std::numbers::pi * uniform(8000, map, 20 + k)});
+      size_mm *= 2.0 + 0.5 * uniform(8000, map, 30 + k);
+      amplitude_mm *= 2.5;
+    }
+    const auto fit = fit_wrinkle(sample_of(truth, {.noise_mm = 0.002}, Seed(500 + map)));
+    right += int(fit.material.components.size()) == count ? 1 : 0;
+  }
+  return double(right) / maps;
+}
+
+double wrinkle_fit_seconds(int runs) {
+  return seconds_of(runs, [&](int run) {
+    const auto sample = sample_of(study_truth(unsigned(run), 0.2), {.noise_mm = 0.003}, Seed(run));
+    return [sample] { fit_wrinkle(sample, {.components = 3}); };
+  });
+}
+
+double synthesis_seconds(int side_px, int runs) {
+  return seconds_of(runs, [&](int run) {
+    return [=] {
+      synthesize(study_truth(unsigned(run), 0.2), {side_px, side_px, 0.2, Unit::mm}, 1);
+    };
+  });
 }
 
 }  // namespace hada

@@ -43,4 +43,12 @@ Wrinkle<> study_truth(unsigned seed, double pitch_mm);
 /// nor shares its grid of frequencies with the fit.
 WrinkleScore study_wrinkles(const WrinkleStudyOptions& options = {});
 
+/// Share of `maps` maps, of 1 to 4 noise functions whose lengths differ by factors of 2 or more,
+/// whose number the fit finds.
+double study_component_count(int maps);
+
+/// Processor seconds on one thread, medians of `runs`.
+double wrinkle_fit_seconds(int runs);             // 512 x 512 pixels, three components
+double synthesis_seconds(int side_px, int runs);  // three components, normals included
+
 }  // namespace hada
