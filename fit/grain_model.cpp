@@ -1,0 +1,165 @@
+#include "fit/grain_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fit/solve.h"
+#include "fit/whittle.h"
+#include "synth/forged_spectrum.h"
+
+namespace hada {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int quantising_terms = 4;  // the m-th holds 1 / m^2 of the error
+
+/// A place on each side over which grain hangs together, after all folds.
+int reach_of(const std::string& sequence, char cut) {
+  int reach = 1, stretched = 0;
+  for (auto fold = sequence.rbegin(); fold != sequence.rend(); ++fold) {
+    reach += 2 << stretched;
+    if (*fold == cut) ++stretched;
+  }
+  return reach;
+}
+
+/// Centres of the cells in cycles per px.
+std::vector<double> centres(const GrainAxis& axis) {
+  std::vector<double> at;
+  for (int c = 0; c < axis.cells(); ++c) {
+    const double middle = 0.5 * (axis.edges[std::size_t(c)] + axis.edges[std::size_t(c + 1)] - 1);
+    at.push_back(middle / axis.length);
+  }
+  return at;
+}
+
+struct AxisSeen {
+  std::vector<double> cells;
+  double slope;  // mean square slope over the variance
+};
+
+AxisSeen seen_along(const std::string& sequence, char cut, HammerKernel kernel,
+                    const GrainAxis& axis) {
+  const auto gain = [&](double f) { return axis_gain(sequence, cut, kernel, f); };
+  constexpr int n = 4096;
+  double sum = 0.0, squares = 0.0;
+  for (int k = 0; k < n; ++k) {
+    const double f = (k + 0.5) / n - 0.5, g = gain(f);
+    sum += g / n;
+    // Of differences between neighbours: places are all there is.
+    squares += g / n * (2.0 - 2.0 * std::cos(2.0 * pi * f));
+  }
+  auto seen = cell_means(axis, expected_power(axis, reach_of(sequence, cut), gain));
+  for (double& value : seen) value /= sum;
+  return {std::move(seen), squares / sum};
+}
+
+double clamped_exp(double x) {
+  return x < -700.0 ? 0.0 : std::exp(x);
+}
+
+/// The spectrum along one axis of the m-th term of the quantising error, folded at Nyquist.
+double error_along(double f, double slope, double step, int m) {
+  const double narrow = step * step / (2.0 * m * m * std::max(slope, 1e-12));
+  double sum = 0.0;
+  for (int turn = -2; turn <= 2; ++turn) sum += clamped_exp(-narrow * (f + turn) * (f + turn));
+  return sum * std::sqrt(narrow / pi);  // its integral over all f is 1
+}
+
+constexpr std::array<SolverBounds, 4> bounds{
+    {{-4.0, 1.0}, {-4.0, 1.1}, {-24.0, 0.7}, {-5.0, 0.7}}};
+
+std::vector<double> packed(const GrainNuisance& n) {
+  return {std::log(n.variance), std::log(n.blur_px), std::log(n.floor), std::log(n.step)};
+}
+
+GrainNuisance unpacked(const double* p) {
+  return {std::exp(p[0]), std::exp(p[1]), std::exp(p[2]), std::exp(p[3])};
+}
+
+}  // namespace
+
+GrainModel grain_model(const std::string& sequence, HammerKernel kernel,
+                       const GrainSpectrum& spectrum) {
+  auto along = seen_along(sequence, 'C', kernel, spectrum.x);
+  auto down = seen_along(sequence, 'R', kernel, spectrum.y);
+  return {sequence, std::move(along.cells), std::move(down.cells), along.slope, down.slope};
+}
+
+void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
+                    const GrainSpectrum& spectrum, std::vector<double>& expected) {
+  const auto fx = centres(spectrum.x), fy = centres(spectrum.y);
+  const std::size_t cols = fx.size(), rows = fy.size();
+  const double step = nuisance.step / std::sqrt(nuisance.variance);  // in deviations of the grain
+  std::vector<double> across(cols * (quantising_terms + 1));
+  std::vector<double> weights(quantising_terms + 1);
+  const double blur = -4.0 * pi * pi * nuisance.blur_px * nuisance.blur_px;
+  for (std::size_t col = 0; col < cols; ++col) {
+    const double seen = std::exp(blur * fx[col] * fx[col]);
+    across[col] = model.along[col] * seen;
+    for (int m = 1; m <= quantising_terms; ++m) {
+      across[std::size_t(m) * cols + col] =
+          seen * error_along(fx[col], model.slope_x, step, m);
+    }
+  }
+  expected.resize(rows * cols);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double seen = std::exp(blur * fy[row] * fy[row]);
+    weights[0] = nuisance.variance * model.down[row] * seen;
+    for (int m = 1; m <= quantising_terms; ++m) {
+      weights[std::size_t(m)] = seen * nuisance.step * nuisance.step / (2.0 * pi * pi * m * m) *
+                                error_along(fy[row], model.slope_y, step, m);
+    }
+    double* out = &expected[row * cols];
+    for (std::size_t col = 0; col < cols; ++col) out[col] = nuisance.floor;
+    for (std::size_t m = 0; m <= quantising_terms; ++m) {
+      for (std::size_t col = 0; col < cols; ++col) out[col] += weights[m] * across[m * cols + col];
+    }
+  }
+}
+
+double grain_cost(const GrainModel& model, const GrainNuisance& nuisance,
+                  const GrainSpectrum& spectrum) {
+  std::vector<double> expected;
+  expected_cells(model, nuisance, spectrum, expected);
+  double cost = 0.0;
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    if (spectrum.count[k] == 0.0) continue;
+    const double d = std::log(spectrum.power[k] / expected[k]);
+    cost += spectrum.count[k] * (std::exp(d) - 1.0 - d);
+  }
+  return cost;
+}
+
+GrainFit fit_nuisance(const GrainModel& model, const GrainSpectrum& spectrum,
+                      const GrainNuisance& start, int most_iterations) {
+  const int count = int(spectrum.power.size());
+  const auto residuals = [&](const double* p, double* r) {
+    std::vector<double> expected;
+    expected_cells(model, unpacked(p), spectrum, expected);
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      const double n = spectrum.count[k];
+      r[k] = n == 0.0 ? 0.0
+                      : std::sqrt(n) * deviance_residual(std::log(spectrum.power[k] / expected[k]));
+    }
+  };
+  const ResidualFunction evaluate = [&](const double* p, double* r, double* jacobian) {
+    residuals(p, r);
+    if (!jacobian) return;
+    constexpr double h = 1e-5;
+    std::vector<double> moved(static_cast<std::size_t>(count));
+    for (int k = 0; k < 4; ++k) {
+      std::array<double, 4> q{p[0], p[1], p[2], p[3]};
+      q[std::size_t(k)] += h;
+      residuals(q.data(), moved.data());
+      for (int i = 0; i < count; ++i) jacobian[4 * i + k] = (moved[std::size_t(i)] - r[i]) / h;
+    }
+  };
+  const auto ending = descend({packed(start)}, {bounds.begin(), bounds.end()}, count, evaluate,
+                              {.max_iterations = most_iterations, .tolerance = 1e-7})
+                          .front();
+  return {unpacked(ending.packed.data()), ending.cost};
+}
+
+}  // namespace hada
