@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/srgb.h"
 #include "fit/grey_levels.h"
 #include "fit/normal_scores.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr int fewest_pixels = 64;
 constexpr int most_rows = 2048, most_cols = 4096;  // of a picture; the middle of a larger one
-constexpr float dither = 0.01f;   // deviation of the noise below which no spectrum is believed
+constexpr float dither = 0.01f;     // deviation of the noise below which no spectrum is believed
 constexpr double same_class = 0.5;  // nats by which members of a class may be told apart
 constexpr double worth_telling = 1e-6;  // probability of a sequence that is listed
 
@@ -32,24 +33,20 @@ int easy_length(int n) {
   }
 }
 
-float encoded(float linear) {
-  const float x = std::clamp(linear, 0.0f, 1.0f);
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-}
-
 /// The middle of the picture, as it is stored: 0 to 255.
 Grid<float> grey_of(const Surface& surface) {
   Grid<float> grey = surface.albedo.empty() ? surface.height : luminance(surface.albedo);
   if (grey.rows() < fewest_pixels || grey.cols() < fewest_pixels) {
-    throw Error(fmt::format("forged steel: the picture has {} x {} pixels, at least {} x {} are "
-                            "needed to see grain",
-                            grey.cols(), grey.rows(), fewest_pixels, fewest_pixels));
+    throw Error(
+        fmt::format("forged steel: the picture has {} x {} pixels, at least {} x {} are "
+                    "needed to see grain",
+                    grey.cols(), grey.rows(), fewest_pixels, fewest_pixels));
   }
   const int rows = easy_length(std::min(grey.rows(), most_rows));
   const int cols = easy_length(std::min(grey.cols(), most_cols));
   grey = crop(grey, (grey.rows() - rows) / 2, (grey.cols() - cols) / 2, rows, cols);
   if (!surface.albedo.empty()) {
-    for (float& g : grey) g = 255.0f * encoded(g);
+    for (float& g : grey) g = 255.0f * srgb_from_linear(std::clamp(g, 0.0f, 1.0f));
   }
   return grey;
 }
@@ -74,11 +71,11 @@ double told_apart(const std::vector<double>& a, const std::vector<double>& b,
 }
 
 std::vector<SequenceClass> classes_of(const std::vector<SequenceCandidate>& all,
-                                      const GrainSpectrum& spectrum) {
+                                      const GrainSpectrum& spectrum, double scatter) {
   double total = 0.0;
   std::vector<double> weight;
   for (const SequenceCandidate& one : all) {
-    weight.push_back(std::exp(all.front().loss() - one.loss()));
+    weight.push_back(std::exp(all.front().loss(scatter) - one.loss(scatter)));
     total += weight.back();
   }
   std::vector<SequenceClass> classes;
@@ -106,16 +103,48 @@ std::vector<SequenceClass> classes_of(const std::vector<SequenceCandidate>& all,
   return classes;
 }
 
-GrainKinds kinds_of(const std::vector<SequenceCandidate>& all) {
+GrainKinds kinds_of(const std::vector<SequenceCandidate>& all, double scatter) {
   GrainKinds kinds;
   double total = 0.0;
   for (const SequenceCandidate& one : all) {
-    const double weight = std::exp(all.front().loss() - one.loss());
+    const double weight = std::exp(all.front().loss(scatter) - one.loss(scatter));
     const auto kind = kind_of(one.model.sequence);
     (kind == "masame" ? kinds.masame : kind == "itame" ? kinds.itame : kinds.mokume) += weight;
     total += weight;
   }
   return {kinds.masame / total, kinds.itame / total, kinds.mokume / total};
+}
+
+/// The depth of the etching, from the heights if there are any.
+void etched(const Surface& surface, ForgedFit& fit) {
+  if (surface.albedo.empty() || !surface.has_height()) {
+    fit.sigma.etch_mm = fit.material.etch_mm;
+    fit.remarks.push_back("How deep the grain is etched cannot be seen: etch_mm is a guess.");
+    return;
+  }
+  // The slope of the height over the grey value.
+  const Grid<float> brightness = luminance(surface.albedo);
+  double grey = 0.0, height = 0.0, both = 0.0, squares = 0.0, heights = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < brightness.size(); ++k) {
+    if (!surface.mask[k]) continue;
+    const double g = 255.0 * srgb_from_linear(std::clamp(brightness[k], 0.0f, 1.0f));
+    const double h = surface.height[k];
+    grey += g;
+    height += h;
+    both += g * h;
+    squares += g * g;
+    heights += h * h;
+    count += 1.0;
+  }
+  both -= grey * height / count;
+  squares -= grey * grey / count;
+  heights -= height * height / count;
+  const double slope = squares > 0.0 ? both / squares : 0.0;
+  const double unexplained = std::max(heights - slope * both, 0.0);
+  fit.material.etch_mm = std::clamp(slope * fit.material.levels, 0.0, 1.0);
+  fit.sigma.etch_mm =
+      std::hypot(fit.material.levels * std::sqrt(unexplained / std::max(squares * count, 1e-300)),
+                 slope * fit.sigma.levels);
 }
 
 struct Explained {
@@ -158,33 +187,42 @@ ForgedFit fit_forged(const Surface& surface, const SequenceSearchOptions& option
 
   ForgedFit fit;
   const SequenceCandidate& first = best.candidates.front();
-  fit.posterior = classes_of(best.candidates, best.spectrum);
-  fit.kinds = kinds_of(best.candidates);
   fit.nuisance = first.fit.nuisance;
   fit.cost = first.fit.cost;
-  fit.runner_up_gap = best.candidates.size() > 1 ? best.candidates[1].loss() - first.loss() : HUGE_VAL;
+  fit.runner_up_gap =
+      best.candidates.size() > 1 ? best.candidates[1].loss() - first.loss() : HUGE_VAL;
   fit.starts = int(best.candidates.size());
   fit.agreeing = 1;
-  const auto cells =
-      std::count_if(best.spectrum.count.begin(), best.spectrum.count.end(),
-                    [](double count) { return count > 0.0; });
+  const auto cells = std::count_if(best.spectrum.count.begin(), best.spectrum.count.end(),
+                                   [](double count) { return count > 0.0; });
   fit.deviance = 2.0 * first.fit.cost / double(cells);
+  const double scatter = std::max(1.0, fit.deviance);
+  fit.posterior = classes_of(best.candidates, best.spectrum, scatter);
+  fit.kinds = kinds_of(best.candidates, scatter);
   expected_cells(first.model, first.fit.nuisance, best.spectrum, fit.model);
   fit.spectrum = std::move(best.spectrum);
 
   const GreyLevels levels = grey_levels(grey, int(first.model.sequence.size()));
-  fit.material = {.sequence = first.model.sequence, .levels = levels.highest, .step = levels.step};
+  fit.material.sequence = first.model.sequence;
+  fit.material.kernel = options.kernel == HammerKernel::both ? "both" : "stretched";
+  fit.material.levels = std::clamp(levels.highest, 1.0, 255.0);
+  fit.material.step = levels.step;
   fit.sigma = fit.material;
   fit.sigma.levels = levels.highest_sigma;
   fit.sigma.step = levels.step_sigma;
-  fit.material.levels = std::clamp(levels.highest, 1.0, 255.0);
+  etched(surface, fit);
+  fit.remarks.push_back(fmt::format(
+      "The picture blurs the grain by {:.2f} px; white noise is {:.3g} and a step between levels "
+      "{:.2g} of its standard deviation.",
+      fit.nuisance.blur_px, std::sqrt(fit.nuisance.floor), fit.nuisance.step));
   if (fit.posterior.front().probability < 0.5) {
     fit.remarks.push_back("No sequence is more probable than all others together; see the list.");
   }
   if (fit.deviance > 1.5) {
     fit.remarks.push_back(fmt::format(
-        "The spectrum departs from that of folded steel ({:.2g} times the scatter of chance): read "
-        "the probabilities as too sure.", fit.deviance));
+        "The spectrum departs from that of folded steel ({:.2g} times the scatter of chance): the "
+        "probabilities allow for that.",
+        fit.deviance));
   }
   if (levels.step <= 0.0) {
     fit.remarks.push_back("The grey values show no levels; step is 0 and levels is their range.");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/surface.h"
@@ -41,16 +42,16 @@ struct ForgedFit : Fit<Forged<>> {
 
 /// The fold sequences that explain the grain in `surface`, with their probabilities.
 ///
-/// Tone and levels come from the histogram. The normal scores of the picture (or its grey values, if
-/// these explain more) have a periodogram whose Whittle likelihood judges every sequence, with the
-/// variance, blur, white noise and quantising that suit it best. All sequences of a length are
+/// Tone and levels come from the histogram. The normal scores of the picture (or its grey values,
+/// if these explain more) have a periodogram whose Whittle likelihood judges every sequence, with
+/// the variance, blur, white noise and quantising that suit it best. All sequences of a length are
 /// equally probable beforehand, and so are all lengths.
 ///
 /// The picture has its columns along those of the block, at one place for a pixel.
 /// throws  Error if the surface has neither albedo nor height, is smaller than 64 x 64 px, or is
 ///         all one grey
 ///
-/// Source: MODELS of the paper on forged steel grain, section 2; Whittle, Ark. Mat. 2 (1953).
+/// Source: Whittle, Ark. Mat. 2 (1953), over the spectrum of `synth/forged_spectrum.h`.
 ForgedFit fit_forged(const Surface& surface, const SequenceSearchOptions& options = {});
 
 }  // namespace hada

@@ -12,7 +12,15 @@ namespace hada {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int quantising_terms = 4;  // the m-th holds 1 / m^2 of the error
+
+/// Terms of the series of the quantising error: every one up to 4, then some, each for its
+/// neighbours. Together they fall with the third power of the frequency, as sharp edges do.
+struct ErrorTerm {
+  double m;
+  double weight;  // how many terms it stands for
+};
+constexpr std::array<ErrorTerm, 9> error_terms{
+    {{1, 1}, {2, 1}, {3, 1}, {4, 1.5}, {6, 2.5}, {9, 3.5}, {13, 5}, {19, 7.5}, {28, 11}}};
 
 /// A place on each side over which grain hangs together, after all folds.
 int reach_of(const std::string& sequence, char cut) {
@@ -41,16 +49,19 @@ struct AxisSeen {
 
 AxisSeen seen_along(const std::string& sequence, char cut, HammerKernel kernel,
                     const GrainAxis& axis) {
-  const auto gain = [&](double f) { return axis_gain(sequence, cut, kernel, f); };
-  constexpr int n = 4096;
+  int n = 64;
+  while (n < axis.length + reach_of(sequence, cut)) n *= 2;
+  std::vector<double> gain(static_cast<std::size_t>(n));
   double sum = 0.0, squares = 0.0;
-  for (int k = 0; k < n; ++k) {
-    const double f = (k + 0.5) / n - 0.5, g = gain(f);
-    sum += g / n;
+  for (int k = 0; k <= n / 2; ++k) {
+    const double f = double(k) / n, g = axis_gain(sequence, cut, kernel, f);
+    gain[std::size_t(k)] = gain[std::size_t(k == 0 ? 0 : n - k)] = g;
+    const double both = k == 0 || 2 * k == n ? 1.0 : 2.0;
+    sum += both * g / n;
     // Of differences between neighbours: places are all there is.
-    squares += g / n * (2.0 - 2.0 * std::cos(2.0 * pi * f));
+    squares += both * g / n * (2.0 - 2.0 * std::cos(2.0 * pi * f));
   }
-  auto seen = cell_means(axis, expected_power(axis, reach_of(sequence, cut), gain));
+  auto seen = cell_means(axis, seen_through(axis, gain));
   for (double& value : seen) value /= sum;
   return {std::move(seen), squares / sum};
 }
@@ -60,15 +71,18 @@ double clamped_exp(double x) {
 }
 
 /// The spectrum along one axis of the m-th term of the quantising error, folded at Nyquist.
-double error_along(double f, double slope, double step, int m) {
+double error_along(double f, double slope, double step, double m) {
   const double narrow = step * step / (2.0 * m * m * std::max(slope, 1e-12));
+  // Wide terms are flat: three of their copies on each side hold the rest.
+  const int turns = narrow > 20.0 ? 0 : narrow > 4.0 ? 1 : 3;
   double sum = 0.0;
-  for (int turn = -2; turn <= 2; ++turn) sum += clamped_exp(-narrow * (f + turn) * (f + turn));
+  for (int turn = -turns; turn <= turns; ++turn)
+    sum += clamped_exp(-narrow * (f + turn) * (f + turn));
+  if (narrow < 0.5) return 1.0;
   return sum * std::sqrt(narrow / pi);  // its integral over all f is 1
 }
 
-constexpr std::array<SolverBounds, 4> bounds{
-    {{-4.0, 1.0}, {-4.0, 1.1}, {-24.0, 0.7}, {-5.0, 0.7}}};
+constexpr std::array<SolverBounds, 4> bounds{{{-4.0, 1.0}, {-4.0, 1.1}, {-24.0, 0.7}, {-5.0, 0.7}}};
 
 std::vector<double> packed(const GrainNuisance& n) {
   return {std::log(n.variance), std::log(n.blur_px), std::log(n.floor), std::log(n.step)};
@@ -92,28 +106,31 @@ void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
   const auto fx = centres(spectrum.x), fy = centres(spectrum.y);
   const std::size_t cols = fx.size(), rows = fy.size();
   const double step = nuisance.step / std::sqrt(nuisance.variance);  // in deviations of the grain
-  std::vector<double> across(cols * (quantising_terms + 1));
-  std::vector<double> weights(quantising_terms + 1);
+  constexpr std::size_t terms = error_terms.size();
+  std::vector<double> across(cols * (terms + 1));
+  std::vector<double> weights(terms + 1);
   const double blur = -4.0 * pi * pi * nuisance.blur_px * nuisance.blur_px;
   for (std::size_t col = 0; col < cols; ++col) {
     const double seen = std::exp(blur * fx[col] * fx[col]);
     across[col] = model.along[col] * seen;
-    for (int m = 1; m <= quantising_terms; ++m) {
-      across[std::size_t(m) * cols + col] =
-          seen * error_along(fx[col], model.slope_x, step, m);
+    for (std::size_t m = 1; m <= terms; ++m) {
+      across[m * cols + col] =
+          seen * error_along(fx[col], model.slope_x, step, error_terms[m - 1].m);
     }
   }
   expected.resize(rows * cols);
   for (std::size_t row = 0; row < rows; ++row) {
     const double seen = std::exp(blur * fy[row] * fy[row]);
     weights[0] = nuisance.variance * model.down[row] * seen;
-    for (int m = 1; m <= quantising_terms; ++m) {
-      weights[std::size_t(m)] = seen * nuisance.step * nuisance.step / (2.0 * pi * pi * m * m) *
-                                error_along(fy[row], model.slope_y, step, m);
+    for (std::size_t m = 1; m <= terms; ++m) {
+      const auto& [number, weight] = error_terms[m - 1];
+      weights[m] = seen * weight * nuisance.step * nuisance.step /
+                   (2.0 * pi * pi * number * number) *
+                   error_along(fy[row], model.slope_y, step, number);
     }
     double* out = &expected[row * cols];
     for (std::size_t col = 0; col < cols; ++col) out[col] = nuisance.floor;
-    for (std::size_t m = 0; m <= quantising_terms; ++m) {
+    for (std::size_t m = 0; m <= terms; ++m) {
       for (std::size_t col = 0; col < cols; ++col) out[col] += weights[m] * across[m * cols + col];
     }
   }

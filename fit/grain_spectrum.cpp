@@ -78,8 +78,8 @@ GrainSpectrum grain_spectrum(const Grid<float>& scores, const GrainSpectrumOptio
   });
   const auto half = fft(tapered);
   const double energy = sum_of_powers(along, 2) * sum_of_powers(down, 2);
-  const double independence = energy * energy / (sum_of_powers(along, 4) * sum_of_powers(down, 4)) /
-                              (double(rows) * cols);
+  const double independence =
+      energy * energy / (sum_of_powers(along, 4) * sum_of_powers(down, 4)) / (double(rows) * cols);
   const auto x_cell = cell_of_frequency(spectrum.x), y_cell = cell_of_frequency(spectrum.y);
   spectrum.power = Grid<double>(spectrum.y.cells(), spectrum.x.cells());
   spectrum.count = Grid<double>(spectrum.y.cells(), spectrum.x.cells());
@@ -116,8 +116,7 @@ std::vector<double> seen_through(const GrainAxis& axis, const std::vector<double
   }
   const auto power = fft(lags);
   std::vector<double> seen(std::size_t(length / 2 + 1));
-  for (std::size_t k = 0; k < seen.size(); ++k)
-    seen[k] = std::max(power[2 * k].real(), 1e-300);
+  for (std::size_t k = 0; k < seen.size(); ++k) seen[k] = std::max(power[2 * k].real(), 1e-300);
   return seen;
 }
 

@@ -35,30 +35,14 @@ struct GrainSpectrumOptions {
 /// scores  grey values of mean 0
 GrainSpectrum grain_spectrum(const Grid<float>& scores, const GrainSpectrumOptions& options = {});
 
-/// The expected periodogram, at every frequency k / length from 0 to the Nyquist one, of grain whose
-/// spectral density along this axis is `density(f)` with period 1: the density seen through the
-/// taper, without bias.
+/// The expected periodogram, at every frequency k / length from 0 to the Nyquist one, of grain
+/// whose spectral density along this axis is known at f = k / n, k = 0 to n - 1: the density seen
+/// through the taper, without bias.
 ///
-/// most_lag  beyond which the grain does not hang together, in pixels
+/// density  n > length + the lag beyond which the grain does not hang together
 ///
 /// Source: Sykulski et al., The debiased Whittle likelihood, Biometrika 106 (2019).
-template <class Density>
-std::vector<double> expected_power(const GrainAxis& axis, int most_lag, const Density& density);
-
-/// The same from the density at f = k / n, k = 0 to n - 1.
 std::vector<double> seen_through(const GrainAxis& axis, const std::vector<double>& density);
-
-template <class Density>
-std::vector<double> expected_power(const GrainAxis& axis, int most_lag, const Density& density) {
-  int n = 64;
-  while (n < 2 * axis.length || n < 2 * most_lag) n *= 2;
-  std::vector<double> sampled(static_cast<std::size_t>(n));
-  for (int k = 0; k <= n / 2; ++k) {
-    sampled[std::size_t(k)] = density(double(k) / n);
-    if (k > 0) sampled[std::size_t(n - k)] = sampled[std::size_t(k)];
-  }
-  return seen_through(axis, sampled);
-}
 
 /// Means over the cells of an axis of what is known at each of its frequencies.
 std::vector<double> cell_means(const GrainAxis& axis, const std::vector<double>& at);

@@ -19,7 +19,7 @@ constexpr double same_line = 0.6;       // of the strongest: its overtones are n
 constexpr double exact = 0.1;           // share of a step off the teeth, where there is no noise
 constexpr double block_places = 2048.0 * 16384.0;
 constexpr double extreme_scatter = 0.08;  // of the extremes of a block, from seed to seed
-constexpr double tail = 1e-4;           // share of pixels that noise may lift beyond the last tooth
+constexpr double tail = 1e-4;  // share of pixels that noise may lift beyond the last tooth
 
 struct Moments {
   double mean;
@@ -91,10 +91,12 @@ GreyLevels grey_levels(const Grid<float>& grey, int folds) {
   const Characteristic at(grey);
   const double line = line_of(at, deviation, high - low);
   if (line <= 0.0) return levels;
-  levels.step = 1.0 / line;
   // A tooth moves by the noise of the mean of what stands on it.
   const double strength = std::abs(at(line));
   const double blunt = std::sqrt(std::max(-2.0 * std::log(std::min(strength, 1.0)), 1e-6));
+  // Noise weakens higher frequencies more, which draws the top of the line down.
+  const double drawn = std::pow(blunt / (2.0 * std::numbers::pi * line * deviation), 2);
+  levels.step = 1.0 / (line * (1.0 + drawn));
   levels.step_sigma = levels.step * levels.step * blunt /
                       (2.0 * std::numbers::pi * deviation * std::sqrt(double(grey.size())));
   const double phase = std::arg(at(line)) / (2.0 * std::numbers::pi) * levels.step;
@@ -112,7 +114,8 @@ GreyLevels grey_levels(const Grid<float>& grey, int folds) {
     return levels;
   }
   const double places = block_places / std::pow(2.0, folds);
-  const double by_spread = 2.0 * std::sqrt(2.0 * std::log(std::max(places, 2.0))) * moments.deviation;
+  const double by_spread =
+      2.0 * std::sqrt(2.0 * std::log(std::max(places, 2.0))) * moments.deviation;
   const double by_symmetry = 2.0 * moments.mean + levels.step;  // the floor takes half a step
   const double expected = unmoved ? 0.5 * (by_spread + by_symmetry) : by_spread;
   levels.highest = levels.step * std::max(last, std::round(expected / levels.step));

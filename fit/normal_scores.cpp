@@ -15,11 +15,10 @@ namespace hada {
 namespace {
 
 constexpr int bins = 4096;
-constexpr int degrees = 8;      // 0 to 7
+constexpr int degrees = 8;         // 0 to 7
 constexpr double flattest = 1e-9;  // slope of a curve where it stays
 
-constexpr const char* all_one_grey =
-    "forged steel: the picture is all one grey; it shows no grain";
+constexpr const char* all_one_grey = "forged steel: the picture is all one grey; it shows no grain";
 
 struct Histogram {
   double low;

@@ -11,9 +11,10 @@
 namespace hada {
 namespace {
 
-constexpr std::size_t beam = 12;    // sequences whose neighbours are looked at
+constexpr std::size_t beam = 8;     // sequences whose neighbours are looked at
 constexpr std::size_t guessed = 6;  // guesses whose nuisance is fitted
-constexpr int most_rounds = 12;
+constexpr int most_rounds = 8;
+constexpr std::size_t kept = 300;  // sequences that are still looked at after a round
 constexpr int iterations = 20;
 
 bool likelier(const SequenceCandidate& a, const SequenceCandidate& b) {
@@ -111,6 +112,7 @@ class Beam {
   /// The nuisance of the likeliest is that of the picture, until a sequence has its own.
   void settle() {
     std::sort(pool_.begin(), pool_.end(), likelier);
+    if (pool_.size() > kept) pool_.resize(kept);
     nuisance_ = pool_.front().fit.nuisance;
     judge();
   }
@@ -133,8 +135,8 @@ class Beam {
 
 }  // namespace
 
-double SequenceCandidate::loss() const {
-  return fit.cost + std::log(2.0) * double(model.sequence.size());
+double SequenceCandidate::loss(double scatter) const {
+  return fit.cost / scatter + std::log(2.0) * double(model.sequence.size());
 }
 
 std::vector<SequenceCandidate> first_guesses(const GrainSpectrum& spectrum,

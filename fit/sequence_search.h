@@ -14,7 +14,9 @@ struct SequenceCandidate {
 
   /// Negative logarithm of what the likelihood and the prior make of it, in nats up to a constant:
   /// all lengths are equally probable beforehand, and so are all sequences of one length.
-  double loss() const;
+  ///
+  /// scatter  of the likelihood, 1 if the model is right; a larger one takes weight from it
+  double loss(double scatter = 1.0) const;
 };
 
 struct SequenceSearchOptions {

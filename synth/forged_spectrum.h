@@ -19,32 +19,20 @@ struct ForgedView {
   T floor{0.0};         // power spectral density of white noise, per cycles^2 / px^2
 };
 
-/// |sin(n pi f) / (n sin(pi f))|^2 for n = 2 (a place doubled) and 3 (the mean of three places).
-template <class T>
-T doubled_gain(const T& f) {
-  using std::cos;
-  const T c = cos(std::numbers::pi * f);
-  return c * c;
-}
-template <class T>
-T smoothed_gain(const T& f) {
-  using std::cos;
-  const T k = (1.0 + 2.0 * cos(2.0 * std::numbers::pi * f)) / 3.0;
-  return k * k;
-}
-
 /// What all folds leave of the power at `f` cycles per place along the axis that `cut` stretches.
 ///
 /// A step after which the axis is stretched a more times acts at 2^a f. Doubling a place is worth
-/// cos^2(pi f), the moving average K^2; reflections leave white noise white.
+/// cos^2(pi f), the mean of three ((1 + 2 cos(2 pi f)) / 3)^2; reflections leave white noise white.
 template <class T>
-T axis_gain(const std::string& sequence, char cut, HammerKernel kernel, T f) {
-  T gain{1.0};
+T axis_gain(const std::string& sequence, char cut, HammerKernel kernel, const T& f) {
+  using std::cos;
+  T gain{1.0}, c = cos(2.0 * std::numbers::pi * f);
   for (auto fold = sequence.rbegin(); fold != sequence.rend(); ++fold) {
-    if (*fold == cut || kernel == HammerKernel::both) gain *= smoothed_gain(f);
+    const T mean = (1.0 + 2.0 * c) / 3.0;
+    if (*fold == cut || kernel == HammerKernel::both) gain *= mean * mean;
     if (*fold != cut) continue;
-    gain *= doubled_gain(f);
-    f = 2.0 * f;
+    gain *= 0.5 * (1.0 + c);
+    c = 2.0 * c * c - 1.0;  // of twice the frequency
   }
   return gain;
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel.h"
+#include "fit/forged.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
 #include "io/json.h"
@@ -27,6 +28,10 @@ struct TypesOf<std::variant<M...>> {
 /// A fit by name of the material: one line for each.
 auto fitted(const Wrinkle<>& shape, const Surface& surface) {
   return fit_wrinkle(surface, {.components = int(shape.components.size())});
+}
+
+auto fitted(const Forged<>&, const Surface& surface) {
+  return fit_forged(surface, {.fewest_folds = 4, .most_folds = 8});
 }
 
 auto fitted(const Wood<>&, const Surface& surface) {
