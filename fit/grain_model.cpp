@@ -82,14 +82,18 @@ double error_along(double f, double slope, double step, double m) {
   return sum * std::sqrt(narrow / pi);  // its integral over all f is 1
 }
 
-constexpr std::array<SolverBounds, 4> bounds{{{-4.0, 1.0}, {-4.0, 1.1}, {-24.0, 0.7}, {-5.0, 0.7}}};
+constexpr std::size_t nuisances = 6;
+constexpr std::array<SolverBounds, nuisances> bounds{
+    {{-4.0, 1.0}, {-4.0, 1.1}, {-24.0, 0.7}, {-5.0, 0.7}, {-1.0, 1.0}, {-1.0, 1.0}}};
 
 std::vector<double> packed(const GrainNuisance& n) {
-  return {std::log(n.variance), std::log(n.blur_px), std::log(n.floor), std::log(n.step)};
+  return {std::log(n.variance), std::log(n.blur_px),   std::log(n.floor),
+          std::log(n.step),     std::log(n.steeper_x), std::log(n.steeper_y)};
 }
 
 GrainNuisance unpacked(const double* p) {
-  return {std::exp(p[0]), std::exp(p[1]), std::exp(p[2]), std::exp(p[3])};
+  return {std::exp(p[0]), std::exp(p[1]), std::exp(p[2]),
+          std::exp(p[3]), std::exp(p[4]), std::exp(p[5])};
 }
 
 }  // namespace
@@ -114,8 +118,8 @@ void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
     const double seen = std::exp(blur * fx[col] * fx[col]);
     across[col] = model.along[col] * seen;
     for (std::size_t m = 1; m <= terms; ++m) {
-      across[m * cols + col] =
-          seen * error_along(fx[col], model.slope_x, step, error_terms[m - 1].m);
+      across[m * cols + col] = seen * error_along(fx[col], model.slope_x * nuisance.steeper_x, step,
+                                                  error_terms[m - 1].m);
     }
   }
   expected.resize(rows * cols);
@@ -126,7 +130,7 @@ void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
       const auto& [number, weight] = error_terms[m - 1];
       weights[m] = seen * weight * nuisance.step * nuisance.step /
                    (2.0 * pi * pi * number * number) *
-                   error_along(fy[row], model.slope_y, step, number);
+                   error_along(fy[row], model.slope_y * nuisance.steeper_y, step, number);
     }
     double* out = &expected[row * cols];
     for (std::size_t col = 0; col < cols; ++col) out[col] = nuisance.floor;
@@ -166,11 +170,13 @@ GrainFit fit_nuisance(const GrainModel& model, const GrainSpectrum& spectrum,
     if (!jacobian) return;
     constexpr double h = 1e-5;
     std::vector<double> moved(static_cast<std::size_t>(count));
-    for (int k = 0; k < 4; ++k) {
-      std::array<double, 4> q{p[0], p[1], p[2], p[3]};
-      q[std::size_t(k)] += h;
+    for (std::size_t k = 0; k < nuisances; ++k) {
+      std::array<double, nuisances> q;
+      std::copy(p, p + nuisances, q.begin());
+      q[k] += h;
       residuals(q.data(), moved.data());
-      for (int i = 0; i < count; ++i) jacobian[4 * i + k] = (moved[std::size_t(i)] - r[i]) / h;
+      for (std::size_t i = 0; i < std::size_t(count); ++i)
+        jacobian[nuisances * i + k] = (moved[i] - r[i]) / h;
     }
   };
   const auto ending = descend({packed(start)}, {bounds.begin(), bounds.end()}, count, evaluate,

@@ -11,10 +11,12 @@ namespace hada {
 
 /// What a picture does to grain, besides its tone: all that is fitted along with a sequence.
 struct GrainNuisance {
-  double variance = 0.9;  // of the grain, as a share of the picture
-  double blur_px = 0.3;   // standard deviation of a Gaussian
-  double floor = 0.02;    // variance of white noise
-  double step = 0.3;      // between neighbouring levels, in standard deviations of the picture
+  double variance = 0.9;   // of the grain, as a share of the picture
+  double blur_px = 0.3;    // standard deviation of a Gaussian
+  double floor = 0.02;     // variance of white noise
+  double step = 0.3;       // between neighbouring levels, in standard deviations of the picture
+  double steeper_x = 1.0;  // mean square slope at the edges of levels, over that of the model
+  double steeper_y = 1.0;
 };
 
 /// The grain of one sequence as the cells of a periodogram are expected to see it.
@@ -33,7 +35,8 @@ GrainModel grain_model(const std::string& sequence, HammerKernel kernel,
 ///
 /// Quantising a normal field of step d adds an error whose autocovariance is
 /// sum_m d^2 / (2 pi^2 m^2) exp(-4 pi^2 m^2 (1 - rho) / d^2); with rho = 1 minus a quadratic form
-/// of the lag each term and its spectrum are Gaussians.
+/// of the lag each term and its spectrum are Gaussians. The slopes at the edges of levels are not
+/// those of the mean place, so that their squares are nuisances too.
 ///
 /// Source: Widrow and Kollar, Quantization Noise (2008), chapter 9; Bennett, Bell System Technical
 /// Journal 27 (1948), for the spectrum.

@@ -58,6 +58,16 @@ class Characteristic {
   std::vector<double> count_;
 };
 
+/// The frequency near `u` at which the characteristic function is largest.
+double summit(const Characteristic& at, double u, double step) {
+  for (int pass = 0; pass < 4; ++pass, step *= 0.1) {
+    const double before = std::abs(at(u - step)), here = std::abs(at(u));
+    const double after = std::abs(at(u + step)), bend = before - 2.0 * here + after;
+    if (bend < 0.0) u += step * std::clamp(0.5 * (before - after) / bend, -1.0, 1.0);
+  }
+  return u;
+}
+
 /// The lowest frequency of a comb, 0 if there is none.
 double line_of(const Characteristic& at, double deviation, double range) {
   // Below `first` it is the distribution as a whole that is seen.
@@ -70,9 +80,7 @@ double line_of(const Characteristic& at, double deviation, double range) {
   for (std::size_t k = 1; k + 1 < strength.size(); ++k) {
     const double before = strength[k - 1], here = strength[k], after = strength[k + 1];
     if (here < same_line * strongest || here < before || here < after) continue;
-    const double bend = before - 2.0 * here + after;
-    const double offset = bend < 0.0 ? 0.5 * (before - after) / bend : 0.0;
-    return first + (double(k) + offset) * step;
+    return summit(at, first + double(k) * step, step);
   }
   return 0.0;
 }
