@@ -44,6 +44,7 @@ std::vector<double> centres(const GrainAxis& axis) {
 
 struct AxisSeen {
   std::vector<double> cells;
+  double variance;
   double slope;  // mean square slope over the variance
 };
 
@@ -63,7 +64,7 @@ AxisSeen seen_along(const std::string& sequence, char cut, HammerKernel kernel,
   }
   auto seen = cell_means(axis, seen_through(axis, gain));
   for (double& value : seen) value /= sum;
-  return {std::move(seen), squares / sum};
+  return {std::move(seen), sum, squares / sum};
 }
 
 double clamped_exp(double x) {
@@ -102,7 +103,12 @@ GrainModel grain_model(const std::string& sequence, HammerKernel kernel,
                        const GrainSpectrum& spectrum) {
   auto along = seen_along(sequence, 'C', kernel, spectrum.x);
   auto down = seen_along(sequence, 'R', kernel, spectrum.y);
-  return {sequence, std::move(along.cells), std::move(down.cells), along.slope, down.slope};
+  return {sequence,
+          std::move(along.cells),
+          std::move(down.cells),
+          along.variance * down.variance,
+          along.slope,
+          down.slope};
 }
 
 void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,

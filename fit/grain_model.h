@@ -24,6 +24,7 @@ struct GrainModel {
   std::string sequence;
   std::vector<double> along;  // mean expected power of the cells of x, for grain of variance 1
   std::vector<double> down;   // of y, the product of both a power spectral density in px^2
+  double variance = 1.0;      // of the grain of a block whose numbers have variance 1
   double slope_x = 0.0;       // mean square slope along x over the variance, 1/px^2
   double slope_y = 0.0;
 };
