@@ -18,6 +18,7 @@
 #include "bench/normals_study.h"
 #include "bench/process.h"
 #include "bench/results_page.h"
+#include "bench/results_wood.h"
 #include "bench/wrinkle_study.h"
 #include "core/quantile.h"
 
@@ -324,9 +325,16 @@ std::string text_of(const char* path) {
 int main(int argc, char** argv) {
   // The program itself first, while this process is small: a child's memory counts its parent's.
   const std::vector<std::pair<std::string, std::string (*)()>> parts{
-      {"program", program},          {"real", real_photographs},    {"rendered", rendered_captures},
-      {"lights", light_intervals},   {"normals", estimators},       {"virtual", virtual_captures},
-      {"depth", depth_from_normals}, {"height", integration_speed}, {"wrinkle", wrinkle_fits}};
+      {"program", program},
+      {"real", real_photographs},
+      {"rendered", rendered_captures},
+      {"lights", light_intervals},
+      {"normals", estimators},
+      {"virtual", virtual_captures},
+      {"depth", depth_from_normals},
+      {"height", integration_speed},
+      {"wrinkle", wrinkle_fits},
+      {"wood", [] { return hada::wood_results(hada::data_folder()); }}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");
     for (const auto& [name, measure] : parts) std::fprintf(stderr, " %s", name.c_str());
