@@ -17,6 +17,7 @@
 #include "bench/normals_speed.h"
 #include "bench/normals_study.h"
 #include "bench/process.h"
+#include "bench/results_fold.h"
 #include "bench/results_page.h"
 #include "bench/results_wood.h"
 #include "bench/wrinkle_study.h"
@@ -334,6 +335,7 @@ int main(int argc, char** argv) {
       {"depth", depth_from_normals},
       {"height", integration_speed},
       {"wrinkle", wrinkle_fits},
+      {"fold", hada::fold_results},
       {"wood", [] { return hada::wood_results(hada::data_folder()); }}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");
