@@ -1,6 +1,7 @@
 #include "app/fit_material.h"
 
 #include "app/measurement.h"
+#include "fit/forged.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
 
@@ -25,6 +26,20 @@ Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOpt
   return fit_wood(surface, {.view = view, .face = options.face});
 }
 
+ForgedFit fit_like(const Forged<>&, const Surface& surface, const FitMaterialOptions&) {
+  return fit_forged(surface);
+}
+
+// What only some fits have to tell.
+template <class M>
+void add_findings(MaterialFile&, const Fit<M>&) {}
+
+void add_findings(MaterialFile& file, const ForgedFit& fit) {
+  for (const auto& one : fit.posterior) file.choices.push_back({one.sequences, one.probability});
+  file.kinds = {
+      {"masame", fit.kinds.masame}, {"itame", fit.kinds.itame}, {"mokume", fit.kinds.mokume}};
+}
+
 }  // namespace
 
 MaterialFile fit_material(const std::string& name, const Surface& surface,
@@ -41,6 +56,7 @@ MaterialFile fit_material(const std::string& name, const Surface& surface,
         file.starts = fit.starts;
         file.agreeing = fit.agreeing;
         file.remarks = fit.remarks;
+        add_findings(file, fit);
       },
       material_named(name));
   file.unit = surface.extent.unit;

@@ -65,6 +65,7 @@ void add_shapes(Commands& commands, CLI::App& fold) {
         command.add_option("--steps", a.steps, "how many of its steps: fewer undo the last")
             ->check(CLI::NonNegativeNumber);
         command.add_flag("--frames", a.frames, "a picture after every step");
+        command.add_option("--roll", a.roll_deg, "the picture's view, in its plane, degrees");
         command.add_option("--turn", a.turn_deg, "the picture's view, about its upright, degrees");
         command.add_option("--tilt", a.tilt_deg, "the picture's view, its top away, degrees");
         add_out(command, a, "folder for model.fold, model.obj and pictures (default: replayed)");

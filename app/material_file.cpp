@@ -96,7 +96,7 @@ MaterialFile read_material(const std::filesystem::path& path) {
   if (object.has("seed")) file.seed = seed_of(object);
   if (object.has("input")) file.input = input_of(object.object("input"), file.unit);
   for (const char* record : {"sigma", "goodness_p", "on_bound", "starts", "agreeing",
-                             "runner_up_gap", "remarks", "version"}) {
+                             "runner_up_gap", "choices", "kinds", "remarks", "version"}) {
     object.has(record);  // what a fit says of itself is not needed to make more of the material
   }
   object.finish();
@@ -118,6 +118,9 @@ std::string material_text(const MaterialFile& file) {
     json["agreeing"] = file.agreeing;
   }
   if (std::isfinite(file.runner_up_gap)) json["runner_up_gap"] = file.runner_up_gap;
+  for (const auto& choice : file.choices)
+    json["choices"].push_back({{"words", choice.words}, {"probability", choice.probability}});
+  for (const auto& [kind, probability] : file.kinds) json["kinds"][kind] = probability;
   if (!file.remarks.empty()) json["remarks"] = file.remarks;
   if (file.seed) json["seed"] = *file.seed;
   if (file.input) {

@@ -32,6 +32,13 @@ struct MaterialFile {
   std::vector<std::string> on_bound;
   int starts = 0;
   int agreeing = 0;
+  /// Words that the data leave open: those of each choice cannot be told apart. Likeliest first.
+  struct Choice {
+    std::vector<std::string> words;
+    double probability;
+  };
+  std::vector<Choice> choices;
+  std::vector<std::pair<std::string, double>> kinds;  // names that people give, with probabilities
   std::vector<std::string> remarks;
   std::optional<Seed> seed;
   std::optional<Input> input;

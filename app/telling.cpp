@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace hada {
 namespace {
@@ -143,8 +144,25 @@ std::vector<std::string> told(const MaterialFile& file) {
         });
       },
       file.material);
-  lines.insert(lines.begin(), fmt::format("{} ({} of {} starts agree)", name_of(file.material),
-                                          file.agreeing, file.starts));
+  constexpr std::size_t most_choices = 5;
+  for (std::size_t k = 0; k < std::min(most_choices, file.choices.size()); ++k) {
+    lines.push_back(fmt::format("  {:5.1f} %  {}", 100.0 * file.choices[k].probability,
+                                fmt::join(file.choices[k].words, " = ")));
+  }
+  if (!file.kinds.empty()) {
+    std::string kinds;
+    for (const auto& [kind, probability] : file.kinds) {
+      kinds += fmt::format("{}{} {:.1f} %", kinds.empty() ? "  " : ", ", kind, 100.0 * probability);
+    }
+    lines.push_back(kinds);
+  }
+  if (file.choices.empty()) {
+    lines.insert(lines.begin(), fmt::format("{} ({} of {} starts agree)", name_of(file.material),
+                                            file.agreeing, file.starts));
+  } else {
+    lines.insert(lines.begin(),
+                 fmt::format("{} (of {} sequences)", name_of(file.material), file.starts));
+  }
   return lines;
 }
 

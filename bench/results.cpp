@@ -17,7 +17,9 @@
 #include "bench/normals_speed.h"
 #include "bench/normals_study.h"
 #include "bench/process.h"
+#include "bench/results_fold.h"
 #include "bench/results_page.h"
+#include "bench/results_wood.h"
 #include "bench/results_wrinkle.h"
 #include "core/quantile.h"
 
@@ -306,7 +308,9 @@ int main(int argc, char** argv) {
       {"virtual", virtual_captures},
       {"depth", depth_from_normals},
       {"height", integration_speed},
-      {"wrinkle", hada::wrinkle_results}};
+      {"wrinkle", hada::wrinkle_results},
+      {"fold", hada::fold_results},
+      {"wood", [] { return hada::wood_results(hada::data_folder()); }}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");
     for (const auto& [name, measure] : parts) std::fprintf(stderr, " %s", name.c_str());

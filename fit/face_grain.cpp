@@ -164,7 +164,9 @@ FaceGrain grain_of(const std::vector<Streak>& seen, const Extent& extent) {
   const double spread = std::sqrt(0.5 * (sharp.covariance(1, 1) + sharp.covariance(2, 2)));
   grain.kind = is_wavy ? FaceGrain::Kind::wavy : FaceGrain::Kind::interlocked;
   grain.gradient = {sharp.state[0], std::hypot(std::sqrt(sharp.covariance(0, 0)), pulled)};
-  grain.amplitude = {found / left, std::hypot(spread, pulled) / left};
+  // What the means leave of a wave is known to a few parts in a hundred of what they take.
+  const double corrected = found * std::max(0.05 * (1.0 - left), 0.01);
+  grain.amplitude = {found / left, std::hypot(std::hypot(spread, pulled), corrected) / left};
   grain.phase = {std::atan2(sharp.state[2], sharp.state[1]), spread / found};
   // A phase known to so much at both ends of the face (uniform parts: span / sqrt 12 from the
   // mean).

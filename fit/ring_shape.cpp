@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include <Eigen/Cholesky>
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double lobe_prior = 0.08;  // a typical amplitude of order 2; others by 2 / order
 constexpr int rounds = 12;
+constexpr double at_rest = 1e-3;        // relative change of the scatter
 constexpr double smallest_unit = 0.05;  // of a relative scatter
 constexpr double loss_scale = 2.0;      // scatters, of the Cauchy loss
 constexpr int longest_lag = 12;         // sectors over which scatter may hang together
@@ -35,23 +37,48 @@ GrowthFrame unpacked(GrowthFrame frame, const Eigen::VectorXd& state) {
   return frame;
 }
 
-/// The derivatives of the effective radius at `place` with respect to the packed frame.
-Eigen::VectorXd slopes_at(const GrowthFrame& frame, const Eigen::Vector2d& place) {
-  Eigen::VectorXd slopes(2 + 2 * Eigen::Index(frame.lobes.size()));
-  const Eigen::Vector2d arm = place - frame.pith;
-  const double r = arm.norm(), theta = std::atan2(arm.y(), arm.x());
-  const double h = 1e-5 * std::max(r, 1e-6);
-  for (int axis = 0; axis < 2; ++axis) {
-    const Eigen::Vector2d move = h * Eigen::Vector2d::Unit(axis);
-    slopes[axis] = (frame.rho_of(place - move) - frame.rho_of(place + move)) / (2.0 * h);
+/// Effective radius of a place, and its derivatives with respect to the packed frame.
+struct Local {
+  double rho = 0.0;
+  Eigen::VectorXd slopes;
+};
+
+/// Cosine and sine of every multiple of an angle, from those of the angle itself.
+class Multiples {
+ public:
+  Multiples(double cosine, double sine) : turns_{{1.0, 0.0}}, turn_(cosine, sine) {}
+
+  const std::complex<double>& operator()(double order) {
+    while (double(turns_.size()) <= order) turns_.push_back(turns_.back() * turn_);
+    return turns_[std::size_t(order)];
   }
+
+ private:
+  std::vector<std::complex<double>> turns_;
+  std::complex<double> turn_;
+};
+
+Local local_at(const GrowthFrame& frame, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d arm = place - frame.pith;
+  const double r = std::max(arm.norm(), 1e-12);
+  const Eigen::Vector2d outward = arm / r, along(-outward.y(), outward.x());
+  Multiples multiples(outward.x(), outward.y());
+  Local local{0.0, Eigen::VectorXd(2 + 2 * Eigen::Index(frame.lobes.size()))};
+  double factor = 1.0, by_angle = 0.0, by_radius = 0.0;
   for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
     const auto& lobe = frame.lobes[l];
-    const double share = r * share_at(lobe, r), angle = lobe.order * theta;
-    slopes[Eigen::Index(2 + 2 * l)] = share * std::cos(angle);
-    slopes[Eigen::Index(3 + 2 * l)] = share * std::sin(angle);
+    const double share = share_at(lobe, r);
+    const auto turn = multiples(lobe.order);
+    const double height = lobe.cosine * turn.real() + lobe.sine * turn.imag();
+    factor += share * height;
+    by_angle += share * lobe.order * (lobe.sine * turn.real() - lobe.cosine * turn.imag());
+    if (share > 0.0 && share < 1.0) by_radius += height / (lobe.to_mm - lobe.from_mm);
+    local.slopes[Eigen::Index(2 + 2 * l)] = r * share * turn.real();
+    local.slopes[Eigen::Index(3 + 2 * l)] = r * share * turn.imag();
   }
-  return slopes;
+  local.rho = r * factor;
+  local.slopes.head<2>() = -(factor + r * by_radius) * outward - by_angle * along;
+  return local;
 }
 
 /// What the normal equations are made of, the radii already eliminated.
@@ -63,7 +90,7 @@ struct Reduced {
 };
 
 Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFrame& frame,
-                const std::vector<double>& rho, const std::vector<double>& weights) {
+                const std::vector<double>& weights) {
   const Eigen::Index size = packed(frame).size();
   Reduced sums{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size),
                std::vector<double>(std::size_t(rings), 1e-300),
@@ -71,12 +98,12 @@ Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFra
                std::vector<Eigen::VectorXd>(std::size_t(rings), Eigen::VectorXd::Zero(size))};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto ring = std::size_t(points[i].ring);
-    const auto slope = slopes_at(frame, points[i].place);
+    const auto [rho, slope] = local_at(frame, points[i].place);
     sums.weight[ring] += weights[i];
-    sums.mean[ring] += weights[i] * rho[i];
+    sums.mean[ring] += weights[i] * rho;
     sums.slope[ring] += weights[i] * slope;
     sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(slope, weights[i]);
-    sums.right += weights[i] * rho[i] * slope;
+    sums.right += weights[i] * rho * slope;
   }
   sums.normal = sums.normal.selfadjointView<Eigen::Lower>();
   for (std::size_t ring = 0; ring < std::size_t(rings); ++ring) {
@@ -136,7 +163,8 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
   std::vector<double> rho(points.size()), residuals(points.size()), weights(points.size(), 1.0);
   std::vector<double> unit(points.size(), 1.0);  // of the scatter of each point
   const auto look = [&] {
-    for (std::size_t i = 0; i < points.size(); ++i) rho[i] = shape.frame.rho_of(points[i].place);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      rho[i] = local_at(shape.frame, points[i].place).rho;
     // The median of a ring does not mind points of another that were taken for its own.
     std::vector<std::vector<double>> of_ring{std::size_t(rings)};
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -163,7 +191,7 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
   Reduced sums;
   look();
   for (int round = 0; round < rounds; ++round) {
-    sums = reduced(points, rings, shape.frame, rho, weights);
+    sums = reduced(points, rings, shape.frame, weights);
     const Eigen::VectorXd state = packed(shape.frame);
     const double variance = shape.scatter * shape.scatter;
     Eigen::MatrixXd normal = sums.normal;
@@ -174,7 +202,9 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
     shape.frame = unpacked(shape.frame, state + move);
     for (std::size_t ring = 0; ring < std::size_t(rings); ++ring)
       shape.radii[ring] = sums.mean[ring] + sums.slope[ring].dot(move);
+    const double before = shape.scatter;
     look();
+    if (round > 2 && std::abs(shape.scatter - before) < at_rest * before) break;
   }
   shape.points = double(points.size());
   const double effect = design_effect(points, residuals, shape.scatter);
@@ -184,7 +214,7 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
   for (std::size_t i = 0; i < points.size(); ++i)
     mean_weight += weights[i] * unit[i] * unit[i] / double(points.size());
   const double variance = effect * shape.scatter * shape.scatter * mean_weight;
-  sums = reduced(points, rings, shape.frame, rho, weights);
+  sums = reduced(points, rings, shape.frame, weights);
   Eigen::MatrixXd information = sums.normal / variance;
   information.diagonal() += prior;
   information.diagonal() *= 1.0 + 1e-10;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/srgb.h"
 
 /// Images on disk, all formats, by OpenImageIO: a module that is loaded when the first image is
 /// touched, because linking it would make every start of the program ten times slower.
@@ -67,9 +68,5 @@ void write_integer_image(const std::filesystem::path& path, const Image& image, 
 
 /// The bytes of an 8-bit PNG with these values (clipped to [0, 1]).
 std::vector<std::uint8_t> encode_png(const Image& image);
-
-/// The sRGB transfer curve (IEC 61966-2-1) and its inverse, for values in [0, 1].
-float srgb_from_linear(float linear);
-float linear_from_srgb(float encoded);
 
 }  // namespace hada

@@ -10,6 +10,7 @@
 
 #include "core/quantile.h"
 #include "measure/crease_edge.h"
+#include "measure/crease_ends.h"
 #include "measure/outline.h"
 
 namespace hada {
@@ -55,19 +56,8 @@ CreaseEdge line_through(const std::vector<Vector2d>& places, double width) {
   return edge;
 }
 
-Vector2d along(const CreaseEdge& edge) {
-  return {-edge.normal.y(), edge.normal.x()};
-}
-
-// What is known of a crease before its ends are.
-struct Candidate {
-  int first, second;
-  CreaseEdge edge;
-  double from, to;  // along the edge
-};
-
 std::vector<StepSample> samples_near(const Surface& surface, const Facets& facets,
-                                     const Candidate& candidate, double reach) {
+                                     const CreaseCandidate& candidate, double reach) {
   const Vector2d &one = facets.facets[std::size_t(candidate.first)].slope,
                  &two = facets.facets[std::size_t(candidate.second)].slope;
   const Vector2d step = two - one;
@@ -92,10 +82,10 @@ std::vector<StepSample> samples_near(const Surface& surface, const Facets& facet
   return samples;
 }
 
-Candidate candidate_of(const Surface& surface, const Facets& facets, std::pair<int, int> pair,
-                       const std::vector<Vector2d>& border) {
+CreaseCandidate candidate_of(const Surface& surface, const Facets& facets, std::pair<int, int> pair,
+                             const std::vector<Vector2d>& border) {
   const double pitch = surface.extent.pitch;
-  Candidate candidate{pair.first, pair.second, line_through(border, pitch), 0.0, 0.0};
+  CreaseCandidate candidate{pair.first, pair.second, line_through(border, pitch), 0.0, 0.0};
   CreaseEdge& edge = candidate.edge;
   // The slope across a crease jumps along its normal: a ridge and a valley differ in sign only.
   const auto extend = [&] {
@@ -130,90 +120,6 @@ Candidate candidate_of(const Surface& surface, const Facets& facets, std::pair<i
   return candidate;
 }
 
-struct Line {
-  Vector2d normal;
-  double offset;
-};
-
-double distance_to_side(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (a + t * (b - a) - p).norm();
-}
-
-// The point nearest to several lines.
-Vector2d common_point(const std::vector<Line>& lines, const Vector2d& otherwise) {
-  Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
-  Vector2d right = Vector2d::Zero();
-  for (const Line& line : lines) {
-    matrix += line.normal * line.normal.transpose();
-    right += line.offset * line.normal;
-  }
-  if (matrix.determinant() < 1e-3 * matrix.trace() * matrix.trace()) return otherwise;
-  return matrix.ldlt().solve(right);
-}
-
-// The ends of all creases, put where they meet the border or each other.
-struct Ends {
-  std::vector<Vector2d> places;        // of the vertices
-  std::vector<std::array<int, 2>> of;  // of each crease: vertices at its start and end
-  std::vector<int> side;               // of each vertex: the side of the outline, or -1
-};
-
-Ends ends_of(const std::vector<Candidate>& candidates, const std::vector<Vector2d>& outline,
-             double tolerance) {
-  struct End {
-    std::size_t crease;
-    Vector2d place;
-  };
-  std::vector<End> ends;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto& [first, second, edge, from, to] = candidates[i];
-    const Vector2d foot = edge.offset * edge.normal;
-    ends.push_back({i, foot + from * along(edge)});
-    ends.push_back({i, foot + to * along(edge)});
-  }
-  const auto line_of = [&](std::size_t crease) {
-    return Line{candidates[crease].edge.normal, candidates[crease].edge.offset};
-  };
-  Ends result;
-  result.of.assign(candidates.size(), {-1, -1});
-  std::vector<int> vertex(ends.size(), -1);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (vertex[i] >= 0) continue;
-    int side = -1;
-    double nearest = tolerance;
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-      const double distance =
-          distance_to_side(ends[i].place, outline[k], outline[(k + 1) % outline.size()]);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      side = int(k);
-    }
-    std::vector<Line> lines{line_of(ends[i].crease)};
-    std::vector<std::size_t> members{i};
-    for (std::size_t j = i + 1; j < ends.size(); ++j) {
-      if (vertex[j] >= 0 || ends[j].crease == ends[i].crease) continue;
-      if ((ends[j].place - ends[i].place).norm() > 2.0 * tolerance) continue;
-      members.push_back(j);
-      lines.push_back(line_of(ends[j].crease));
-    }
-    if (side >= 0 && members.size() < 3) {
-      const Vector2d a = outline[std::size_t(side)];
-      const Vector2d way = (outline[(std::size_t(side) + 1) % outline.size()] - a).normalized();
-      lines = {lines[0], Line{Vector2d(-way.y(), way.x()), a.dot(Vector2d(-way.y(), way.x()))}};
-      members = {i};
-    } else {
-      side = -1;
-    }
-    const int number = int(result.places.size());
-    result.places.push_back(common_point(lines, ends[i].place));
-    result.side.push_back(side);
-    for (const std::size_t m : members) vertex[m] = number;
-  }
-  for (std::size_t i = 0; i < ends.size(); ++i) result.of[i / 2][i % 2] = vertex[i];
-  return result;
-}
-
 // The heights of the planes over the origin, from creases: both sides are equally high there.
 std::vector<double> plane_heights(const Facets& facets,
                                   const std::vector<MeasuredCrease>& creases) {
@@ -234,7 +140,7 @@ std::vector<double> plane_heights(const Facets& facets,
   return {heights.data(), heights.data() + n};
 }
 
-FoldFrame frame_of(const Surface& surface, const Facets& facets, const Ends& ends,
+FoldFrame frame_of(const Surface& surface, const Facets& facets, const CreaseEnds& ends,
                    const std::vector<MeasuredCrease>& creases,
                    const std::vector<Vector2d>& outline) {
   FoldFrame frame;
@@ -285,7 +191,7 @@ FoldFrame frame_of(const Surface& surface, const Facets& facets, const Ends& end
   return frame;
 }
 
-std::vector<MeasuredVertex> inner_vertices(const Ends& ends, const FoldFrame& frame) {
+std::vector<MeasuredVertex> inner_vertices(const CreaseEnds& ends, const FoldFrame& frame) {
   std::vector<MeasuredVertex> all;
   for (std::size_t v = 0; v < ends.places.size(); ++v) {
     if (ends.side[v] >= 0) continue;
@@ -324,17 +230,17 @@ double shared_sigma(const Surface& surface) {
 MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& options) {
   const Facets facets = facets_of(surface, options);
   const double pitch = surface.extent.pitch;
-  std::vector<Candidate> candidates;
+  std::vector<CreaseCandidate> candidates;
   for (const auto& [pair, border] : borders(facets.label, surface.extent)) {
     if (int(border.size()) < 2 * facets.reach_px) continue;  // facets that touch at a corner
     candidates.push_back(candidate_of(surface, facets, pair, border));
   }
   const auto outline = outline_of(surface.mask, surface.extent);
-  const Ends ends = ends_of(candidates, outline, 1.5 * facets.reach_px * pitch);
+  const CreaseEnds ends = ends_of(candidates, outline, 1.5 * facets.reach_px * pitch);
   const double shared = shared_sigma(surface);
   MeasuredCreases result;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate& c = candidates[i];
+    const CreaseCandidate& c = candidates[i];
     const Facet &one = facets.facets[std::size_t(c.first)],
                 &two = facets.facets[std::size_t(c.second)];
     const Vector3d a = normal_of(one), b = normal_of(two);

@@ -101,7 +101,7 @@ struct Weights {
 
 class Descent {
  public:
-  Descent(const BarNetwork& network, Places start, double size)
+  Descent(const BarNetwork& network, Places start, double size, bool hinges)
       : network_(network), places_(std::move(start)), size_(size) {
     for (const Hinge& hinge : network.hinges) angles_.push_back(hinge_angle(hinge, places_));
     for (std::size_t i = 0; i < angles_.size(); ++i) {
@@ -111,7 +111,7 @@ class Descent {
         angles_[i] -= std::copysign(2.0 * std::numbers::pi, angles_[i]);
       }
     }
-    lay_pattern();
+    lay_pattern(hinges);
   }
 
   // returns  the number of steps
@@ -188,13 +188,13 @@ class Descent {
   }
 
   // Which entries of the matrix a term touches never changes: they are looked up once.
-  void lay_pattern() {
+  void lay_pattern(bool hinges) {
     const int n = 3 * int(places_.size());
     free_.assign(std::size_t(n), true);
     for (int i = 0; i < n && !network_.pinned.empty(); ++i) {
       free_[std::size_t(i)] = !network_.pinned[std::size_t(i / 3)];
     }
-    gather({}, places_);
+    gather({1.0, 1.0, hinges}, places_);
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 0.0);
     const auto visit = [&](const auto& entry) {
@@ -274,7 +274,7 @@ Relaxed relax(const BarNetwork& network, Places start, const RelaxOptions& optio
     softest = std::min(softest, bar.stiffness);
   }
   for (const Hinge& hinge : network.hinges) stiffest = std::max(stiffest, hinge.stiffness);
-  Descent descent(network, std::move(start), size);
+  Descent descent(network, std::move(start), size, stiffest > 0.0 || !options.rigid);
   Relaxed result;
   if (options.rigid) {
     // All at once would make a valley too narrow and bent to follow.
@@ -284,7 +284,8 @@ Relaxed relax(const BarNetwork& network, Places start, const RelaxOptions& optio
       const Weights weights{stiffer * hinges / std::sqrt(softest), stiffer * hinges, true};
       result.steps += descent.run(weights, options.most_steps, options.tolerance);
     }
-    result.steps += descent.run({1.0 / std::sqrt(softest), 1.0, false}, options.most_steps, 1e-14);
+    // The descent converges by squares: after a step of 1e-9 what is left is rounding.
+    result.steps += descent.run({1.0 / std::sqrt(softest), 1.0, false}, options.most_steps, 1e-9);
   } else {
     const double planes = 1e3 * std::sqrt(softest);
     result.steps = descent.run({1.0, planes, true}, options.most_steps, options.tolerance);

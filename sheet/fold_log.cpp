@@ -11,6 +11,7 @@
 #include "mechanics/bar_network.h"
 #include "sheet/arrangement.h"
 #include "sheet/crease.h"
+#include "sheet/flaps.h"
 #include "sheet/layers.h"
 #include "sheet/simulate.h"
 
@@ -124,44 +125,6 @@ void split_orders(FoldState& state, int before) {
   if (layers.possible) state.order = layers.order;
 }
 
-// The faces to the left of creases, as far as paper hangs together without crossing them.
-std::vector<bool> moving_faces(const Sheet& sheet, const std::vector<int>& creases,
-                               const CreaseCut& cut, const std::string& where) {
-  if (creases.empty()) throw Error(where + ": its line crosses no paper from side to side");
-  std::vector<bool> moving(std::size_t(sheet.faces()), false),
-      barrier(std::size_t(sheet.edges()), false);
-  for (const int e : creases) barrier[std::size_t(e)] = true;
-  const auto is_left = [&](int face) {
-    double sum = 0.0;
-    for (const int v : sheet.corners_of(face)) sum += cut.side(sheet.folded[std::size_t(v)]);
-    return sum > 0.0;
-  };
-  std::vector<int> open;
-  for (const int e : creases) {
-    for (const int face : {sheet.half(2 * e).face, sheet.half(2 * e + 1).face}) {
-      if (face < 0 || !is_left(face) || moving[std::size_t(face)]) continue;
-      moving[std::size_t(face)] = true;
-      open.push_back(face);
-    }
-  }
-  while (!open.empty()) {
-    const int face = open.back();
-    open.pop_back();
-    for (const int h : sheet.halves_of(face)) {
-      const int other = sheet.half(h ^ 1).face;
-      if (other < 0 || barrier[std::size_t(h / 2)] || moving[std::size_t(other)]) continue;
-      moving[std::size_t(other)] = true;
-      open.push_back(other);
-    }
-  }
-  for (const int e : creases) {
-    const int a = sheet.half(2 * e).face, b = sheet.half(2 * e + 1).face;
-    if (a < 0 || b < 0 || moving[std::size_t(a)] != moving[std::size_t(b)]) continue;
-    throw Error(where + ": the line does not part the paper; what moves hangs on what stays");
-  }
-  return moving;
-}
-
 int first_staying(const std::vector<bool>& moving) {
   return int(std::find(moving.begin(), moving.end(), false) - moving.begin());
 }
@@ -186,47 +149,39 @@ void fold_through(FoldState& state, const FoldStep& step, const std::string& whe
   flatten(state, where, first_staying(moving));
 }
 
-// Of the flaps that the line parts off, the one that lies above (or below) all others.
-std::vector<bool> outermost_flap(const FoldState& state, const std::vector<bool>& moving,
-                                 const std::vector<int>& creases, int side) {
-  const Sheet& sheet = state.sheet;
-  std::vector<bool> barrier(std::size_t(sheet.edges()), false);
-  for (const int e : creases) barrier[std::size_t(e)] = true;
-  std::vector<int> flap(moving.size(), -1);
-  int flaps = 0;
-  for (std::size_t first = 0; first < moving.size(); ++first) {
-    if (!moving[first] || flap[first] >= 0) continue;
-    std::vector<int> open{int(first)};
-    flap[first] = flaps;
-    while (!open.empty()) {
-      const int face = open.back();
-      open.pop_back();
-      for (const int h : sheet.halves_of(face)) {
-        const int other = sheet.half(h ^ 1).face;
-        if (other < 0 || barrier[std::size_t(h / 2)] || !moving[std::size_t(other)]) continue;
-        if (flap[std::size_t(other)] >= 0) continue;
-        flap[std::size_t(other)] = flaps;
-        open.push_back(other);
-      }
+// Flaps that are tucked into each other are pulled apart: another order of layers in which one flap
+// lies outside the others, with the same mountains and valleys or, if need be, with others.
+int freed_flap(FoldState& state, const std::vector<int>& flap, int side) {
+  const int flaps = 1 + *std::max_element(flap.begin(), flap.end());
+  FlatState flat = flat_state(state.sheet);
+  keep_in_place(flat, state.sheet, 0);
+  for (const bool refold : {false, true}) {
+    Sheet sheet = state.sheet;
+    for (Crease& crease : sheet.creases) {
+      if (refold && is_folded(crease)) crease = Crease::unassigned;
     }
-    ++flaps;
+    for (int k = 0; k < flaps; ++k) {
+      LayerOptions options;
+      options.count = false;
+      int overlaps = 0;
+      for (const FaceOrder& o : state.order) {
+        const int a = flap[std::size_t(o.face)], b = flap[std::size_t(o.other)];
+        if (a < 0 || b < 0 || a == b || (a != k && b != k)) continue;
+        const bool a_above = (a == k) == (side > 0);
+        const bool print_up = !flat.turned[std::size_t(o.other)];
+        options.chosen.push_back({o.face, o.other, a_above == print_up ? 1 : -1});
+        ++overlaps;
+      }
+      if (overlaps == 0) continue;
+      const Layers layers = layer_orders(sheet, flat, options);
+      if (!layers.possible) continue;
+      state.sheet.creases = sheet.creases;
+      state.order = layers.order;
+      settle_folds(state, flat);
+      return k;
+    }
   }
-  // A flap is outermost if no face of another lies outside one of its own.
-  std::vector<bool> covered(std::size_t(flaps), false);
-  for (const FaceOrder& o : state.order) {
-    const int a = flap[std::size_t(o.face)], b = flap[std::size_t(o.other)];
-    if (a < 0 || b < 0 || a == b) continue;
-    const auto corners = sheet.corners_of(o.other);
-    const Vector3d& p = sheet.folded[std::size_t(corners[0])];
-    const Vector3d normal = (sheet.folded[std::size_t(corners[1])] - p)
-                                .cross(sheet.folded[std::size_t(corners[2])] - p);
-    const bool a_above = (o.order > 0) == (normal.z() > 0.0);
-    covered[std::size_t(a_above == (side > 0) ? b : a)] = true;
-  }
-  const int chosen = int(std::find(covered.begin(), covered.end(), false) - covered.begin());
-  std::vector<bool> result(moving.size(), false);
-  for (std::size_t f = 0; f < result.size(); ++f) result[f] = flap[f] == chosen;
-  return result;
+  return -1;
 }
 
 void turn_layers(FoldState& state, const FoldStep& step, const std::string& where) {
@@ -236,7 +191,15 @@ void turn_layers(FoldState& state, const FoldStep& step, const std::string& wher
   const auto creases = insert_crease(sheet, sheet.folded, cut, Crease::flat);
   split_orders(state, before);
   auto moving = moving_faces(sheet, creases, cut, where);
-  if (step.layers != 0) moving = outermost_flap(state, moving, creases, step.layers);
+  if (step.layers != 0) {
+    const auto flap = flaps_of(sheet, moving, creases);
+    int chosen = outermost_flap(sheet, state.order, flap, step.layers);
+    if (chosen < 0 && state.flat) chosen = freed_flap(state, flap, step.layers);
+    if (chosen < 0) {
+      throw Error(where + ": flaps there lie between each other; none is outermost");
+    }
+    for (std::size_t f = 0; f < moving.size(); ++f) moving[f] = flap[f] == chosen;
+  }
   const double angle = step.degrees * std::numbers::pi / 180.0;
   const Vector3d from(step.from.x(), step.from.y(), 0.0), to(step.to.x(), step.to.y(), 0.0);
   // What lies to the left of the line rises for positive angles.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,7 +15,8 @@ using Literal = int;
 /// Conditions on yes-or-no variables, of the three kinds that stacked layers need.
 ///
 /// Equalities are merged as they come, so that what is left is small. Solutions are counted by
-/// trying values, following what they force, and counting parts that no longer touch separately.
+/// trying values, following what they force, and counting parts that no longer touch separately; a
+/// part that comes up again is remembered.
 class LayerSolver {
  public:
   explicit LayerSolver(int variables);
@@ -53,6 +55,9 @@ class LayerSolver {
   int state(Literal a) const { return values_[std::size_t(a / 2)] ^ (a & 1); }  // 2, 3: open
   bool open(Literal a) const { return values_[std::size_t(a / 2)] > 1; }
   bool is_live(const Rule& rule) const;
+  std::uint64_t remembered(const std::vector<int>& part, std::uint64_t most);
+  /// What is left of a part as a number: equal parts under equal conditions have equal ones.
+  std::array<std::uint64_t, 2> signature(std::vector<int> part) const;
   std::vector<std::vector<int>> split(const std::vector<int>& part);
   int busiest(const std::vector<int>& part) const;
 
@@ -64,6 +69,7 @@ class LayerSolver {
   std::vector<std::vector<int>> rules_of_;
   std::vector<int> trail_;
   std::vector<int> mark_;
+  std::map<std::array<std::uint64_t, 2>, std::uint64_t> counted_;  // by signature
   int stamp_ = 0;
   int conflict_ = 0;
 };

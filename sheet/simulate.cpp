@@ -221,6 +221,25 @@ Simulated simulate(const Sheet& sheet, const SimulateOptions& options) {
   }
   Simulated result;
   result.places = sheet.folded;
+  const bool lies_flat =
+      std::all_of(start.begin(), start.end(), [](double angle) { return std::abs(angle) < 1e-6; });
+  if (!options.held.empty() && lies_flat) {
+    // A flat sheet can begin to fold in several ways: all its own folds together show which.
+    constexpr double nudge = 0.05;
+    BarNetwork all = network;
+    std::size_t i = 0;
+    for (int e = 0; e < sheet.edges(); ++e) {
+      if (sheet.is_border(e)) continue;
+      all.hinges[i].stiffness = 1.0;
+      all.hinges[i++].angle = nudge * sheet.fold_angles[std::size_t(e)];
+    }
+    result.places = relax(all, std::move(result.places), {.rigid = options.rigid}).places;
+    const auto nudged = edge_angles(sheet, result.places);
+    i = 0;
+    for (int e = 0; e < sheet.edges(); ++e) {
+      if (!sheet.is_border(e)) start[i++] = nudged[std::size_t(e)];
+    }
+  }
   const int stages = std::max(options.stages, 1);
   for (int stage = 1; stage <= stages; ++stage) {
     const double share = double(stage) / stages;

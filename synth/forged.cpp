@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
 #include "core/parallel.h"
+#include "core/srgb.h"
 #include "synth/white_noise.h"
 
 namespace hada {
@@ -154,18 +154,17 @@ void hammer_rows(const Grid<float>& tall, Grid<float>& out, const std::string& s
 
 }  // namespace
 
-HammerKernel hammer_kernel(const std::string& kernel) {
-  if (kernel == "both") return HammerKernel::both;
-  if (kernel == "stretched") return HammerKernel::stretched;
-  throw Error("forged steel: the kernel is \"" + kernel + "\"; write \"both\" or \"stretched\"");
+bool is_fold_sequence(std::string_view text) {
+  return !text.empty() && text.size() <= longest_sequence &&
+         text.find_first_not_of("CR") == std::string_view::npos;
 }
 
-void check_sequence(const std::string& sequence) {
-  if (sequence.empty() || sequence.size() > longest_sequence ||
-      sequence.find_first_not_of("CR") != std::string::npos) {
-    throw Error("forged steel: the sequence is \"" + sequence +
-                "\"; write 1 to 16 letters C and R, such as CRCRCR");
-  }
+bool is_hammer_kernel(std::string_view text) {
+  return text == "both" || text == "stretched";
+}
+
+HammerKernel hammer_kernel(std::string_view name) {
+  return name == "stretched" ? HammerKernel::stretched : HammerKernel::both;
 }
 
 BlockSize divisible(const BlockSize& size, const std::string& sequence) {
@@ -208,7 +207,7 @@ Grid<float> hammered(Grid<float> pile, const std::string& sequence, HammerKernel
 }
 
 Grid<float> forged_block(const Forged<>& forged, const BlockSize& size, Seed seed) {
-  check_sequence(forged.sequence);
+  assert(is_fold_sequence(forged.sequence) && is_hammer_kernel(forged.kernel));
   const int down = halves(forged.sequence, 'R'), along = halves(forged.sequence, 'C');
   assert(size.rows % down == 0 && size.cols % along == 0);
   Grid<float> pile(size.rows / down, size.cols / along);
@@ -218,6 +217,32 @@ Grid<float> forged_block(const Forged<>& forged, const BlockSize& size, Seed see
     for (float& value : pile.row(row)) value *= spread;
   });
   return hammered(std::move(pile), forged.sequence, hammer_kernel(forged.kernel));
+}
+
+Surface surface_of(const Forged<>& forged, const Extent& extent, Seed seed) {
+  const BlockSize paper;
+  Grid<float> grey =
+      forged_block(forged,
+                   divisible({std::max(extent.rows, paper.rows), std::max(extent.cols, paper.cols)},
+                             forged.sequence),
+                   seed);
+  quantise(grey, forged.levels, forged.step);
+  Surface surface;
+  surface.extent = extent;
+  surface.mask = full_mask(extent);
+  surface.albedo = Image(crop(grey, 0, 0, extent.rows, extent.cols));
+  surface.height = surface.albedo.planes.front();
+  double sum = 0.0;
+  for (const float value : surface.height) sum += value;
+  const double mean = sum / double(surface.height.size());
+  const double etch = forged.etch_mm / forged.levels;
+  for_each_index(extent.rows, [&](int row) {
+    for (float& height : surface.height.row(row)) height = float((height - mean) * etch);
+    for (float& value : surface.albedo.planes.front().row(row))
+      value = linear_from_srgb(value / 255.0f);
+  });
+  surface.normals = normals_of(surface.height, surface.mask, extent.pitch);
+  return surface;
 }
 
 void quantise(Grid<float>& height, double levels, double step) {

@@ -4,11 +4,22 @@
 #include <string>
 #include <string_view>
 
+#include "core/extent.h"
 #include "core/field.h"
 #include "core/grid.h"
 #include "core/random.h"
+#include "core/surface.h"
 
 namespace hada {
+
+/// Along which axes the moving average of three places acts after a fold.
+enum class HammerKernel { both, stretched };
+
+/// The kernel of that name, which is valid.
+HammerKernel hammer_kernel(std::string_view name);
+
+bool is_fold_sequence(std::string_view text);
+bool is_hammer_kernel(std::string_view text);
 
 /// The grain of forged steel (kitae-hada): a block that is folded and hammered out, again and
 /// again.
@@ -21,11 +32,21 @@ struct Forged {
   static constexpr std::string_view name = "forged";
   static constexpr std::string_view summary = "grain of folded steel: masame, itame, mokume";
 
-  std::string sequence = "CRCRCRCRCRCR";
+  std::string sequence = "CRCRCR";
   std::string kernel = "both";
   T levels{70.0};
   T step{5.0};
+  T etch_mm{0.002};
 
+  static constexpr auto words() {
+    using W = Word<Forged>;
+    return std::array{
+        W{"sequence", &Forged::sequence, is_fold_sequence, "made of 1 to 16 letters C and R",
+          "the folds: C across the columns, R across the rows"},
+        W{"kernel", &Forged::kernel, is_hammer_kernel, "\"both\" or \"stretched\"",
+          "axes along which three places are averaged after a fold"},
+    };
+  }
   static constexpr auto fields() {
     using F = Field<Forged, T>;
     return std::array{
@@ -33,18 +54,11 @@ struct Forged {
           "grey value of the highest place"},
         F{"step", &Forged::step, 0.0, 255.0, Scale::linear, "",
           "grey values between neighbouring levels; 0: not quantised"},
+        F{"etch_mm", &Forged::etch_mm, 0.0, 1.0, Scale::linear, "mm",
+          "height that etching leaves between grey values 0 and levels"},
     };
   }
 };
-
-/// Along which axes the moving average of three places acts after a fold.
-enum class HammerKernel { both, stretched };
-
-/// throws  Error if `kernel` is neither "both" nor "stretched"
-HammerKernel hammer_kernel(const std::string& kernel);
-
-/// throws  Error unless `sequence` is made of 1 to 16 letters C and R
-void check_sequence(const std::string& sequence);
 
 /// Size of a block of steel in places; the defaults are those of the paper.
 struct BlockSize {
@@ -74,6 +88,12 @@ Grid<float> hammered(Grid<float> pile, const std::string& sequence, HammerKernel
 /// these are drawn, keyed by their place in the pile; the block before its first cut never exists.
 /// size  `divisible` by the sequence
 Grid<float> forged_block(const Forged<>& forged, const BlockSize& size, Seed seed);
+
+/// The upper left part of a block of the paper's size, or of a larger one if the picture is.
+///
+/// returns  as albedo the grey values of equation 5, as a file of 8 bits would store them (the sRGB
+///          code is grey / 255); as height the same, etched `etch_mm` deep, zero-mean
+Surface surface_of(const Forged<>& forged, const Extent& extent, Seed seed);
 
 /// Equation 5: grey values step floor((h - min) / (max - min) levels / step) in place of heights;
 /// with a step of 0, (h - min) / (max - min) levels.

@@ -6,13 +6,14 @@
 #include "core/extent.h"
 #include "core/random.h"
 #include "core/surface.h"
+#include "synth/forged.h"
 #include "synth/wood.h"
 #include "synth/wrinkle.h"
 
 namespace hada {
 
 /// Every material that hada knows: the variant is the registry.
-using Material = std::variant<Wrinkle<>, Wood<>>;
+using Material = std::variant<Wrinkle<>, Wood<>, Forged<>>;
 
 /// A material of which only the power spectrum is a fact; the phases are luck. `spectrum_of` is its
 /// `psd` made ready for many frequencies.

@@ -11,9 +11,7 @@ namespace hada {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-
-// Which random field a key belongs to.
-enum Stream : Seed { wobble = 11, fluctuation = 22, fibres = 33, scattered = 44, boundary = 55 };
+constexpr double steps_per_year = 16.0;
 
 double eased(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -36,7 +34,13 @@ double median_width(const std::vector<double>& radii) {
 
 }  // namespace
 
-WoodSolid::WoodSolid(const Wood<>& wood, Seed seed) : wood_(wood), seed_(seed) {
+WoodSolid::WoodSolid(const Wood<>& wood, Seed seed)
+    : wood_(wood),
+      wobble_(hash(seed, 1)),
+      fluctuation_(hash(seed, 2)),
+      fibres_(hash(seed, 3)),
+      scattered_(hash(seed, 4)),
+      boundary_(hash(seed, 5)) {
   const auto& radii = wood_.ring_radii_mm;
   usual_width_ = median_width(radii);
   if (!radii.empty() && radii.front() > 1.6 * usual_width_)
@@ -44,6 +48,11 @@ WoodSolid::WoodSolid(const Wood<>& wood, Seed seed) : wood_(wood), seed_(seed) {
   const double widest = wood_.vessel_radius_mm + 3.0 * wood_.vessel_radius_sd_mm;
   const double spacing = 1.0 / std::sqrt(std::max(wood_.vessel_density_per_mm2, 1e-6));
   vessel_cell_ = std::max(spacing, 2.0 * widest);
+  if (wood_.fluctuation > 0.0) {
+    const double years = inner_years_ + double(radii.size()) + 2.0;
+    for (double k = 0.0; k <= years * steps_per_year; k += 1.0)
+      turn_at_zero_.push_back(fractal_noise(fluctuation_, 0.0, k / steps_per_year / 4.0));
+  }
 }
 
 /// Rings from the pith; those before the first that is listed are of one width, and nothing is
@@ -71,6 +80,17 @@ double WoodSolid::radius_of(double year) const {
   return k < radii.size() ? radii[k] : radii.back() + double(k + 1 - radii.size()) * usual_width_;
 }
 
+/// The arc of the fluctuation, 0 where z is 0. It is the fractal itself, so that its slope, below 4
+/// for each lattice step, is the fluctuation of the gradient.
+double WoodSolid::fluctuation_at(double year, double z) const {
+  const double size = wood_.fluctuation_mm, at = year * steps_per_year;
+  const std::size_t k = std::min(std::size_t(at), turn_at_zero_.size() - 2);
+  const double at_zero =
+      turn_at_zero_[k] + (at - double(k)) * (turn_at_zero_[k + 1] - turn_at_zero_[k]);
+  return 0.25 * wood_.fluctuation * size *
+         (fractal_noise(fluctuation_, z / size, year / 4.0) - at_zero);
+}
+
 /// The phase of Kawai's equation 3: integral of G / r from 0 to z.
 double WoodSolid::turn_at(double r, double year, double z) const {
   const double wave = turn / wood_.wave_length_mm;
@@ -83,13 +103,7 @@ double WoodSolid::turn_at(double r, double year, double z) const {
     arc += wood_.interlock_amplitude * z *
            std::sin(turn * year / wood_.interlock_period + wood_.interlock_phase_rad);
   }
-  if (wood_.fluctuation > 0.0) {
-    // The integral of the fluctuation is the fractal; its slope stays below 4 per lattice step.
-    const double size = wood_.fluctuation_mm;
-    const Seed key = hash(seed_, fluctuation);
-    arc += 0.25 * wood_.fluctuation * size *
-           (fractal_noise(key, z / size, year / 4.0) - fractal_noise(key, 0.0, year / 4.0));
-  }
+  if (wood_.fluctuation > 0.0) arc += fluctuation_at(year, z);
   return arc / std::max(r, 1e-6);
 }
 
@@ -105,7 +119,7 @@ WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
     // Looked up along the circle, so that it closes; it dies out towards the pith.
     const double around = place.r / (place.r + usual_width_);
     place.rho += wood_.wobble_mm * around *
-                 fractal_noise(hash(seed_, wobble), 3.0 * dx / place.r + 0.05 * place.rho,
+                 fractal_noise(wobble_, 3.0 * dx / place.r + 0.05 * place.rho,
                                3.0 * dy / place.r + 0.01 * z);
   }
   place.year = year_at(place.rho);
@@ -134,22 +148,21 @@ double WoodSolid::scattered_vessels(const Place& place, double soft_mm) const {
   const double in_cell = wood_.vessel_density_per_mm2 * vessel_cell_ * vessel_cell_;
   const auto i = std::int64_t(std::floor(place.section_x / vessel_cell_));
   const auto j = std::int64_t(std::floor(place.section_y / vessel_cell_));
-  const Seed key = hash(seed_, scattered);
   double dark = 0.0;
   for (std::int64_t a = i - 1; a <= i + 1; ++a) {
     for (std::int64_t b = j - 1; b <= j + 1; ++b) {
       // A Poisson number of vessels to a cell, by multiplying uniforms (Knuth).
-      double product = uniform(key, a, b, 0);
+      double product = uniform(scattered_, a, b, 0);
       const double least = std::exp(-in_cell);
       for (std::int64_t n = 1; product > least && n < 64; ++n) {
-        const double x = (double(a) + uniform(key, a, b, 4 * n)) * vessel_cell_;
-        const double y = (double(b) + uniform(key, a, b, 4 * n + 1)) * vessel_cell_;
-        const double radius =
-            wood_.vessel_radius_mm + wood_.vessel_radius_sd_mm * gaussian(key, a, b, 4 * n + 2);
+        const double x = (double(a) + uniform(scattered_, a, b, 4 * n)) * vessel_cell_;
+        const double y = (double(b) + uniform(scattered_, a, b, 4 * n + 1)) * vessel_cell_;
+        const double radius = wood_.vessel_radius_mm +
+                              wood_.vessel_radius_sd_mm * gaussian(scattered_, a, b, 4 * n + 2);
         const double distance = std::hypot(place.section_x - x, place.section_y - y);
         if (distance < radius + soft_mm)
           dark = std::max(dark, inside_disc(distance, radius, soft_mm));
-        product *= uniform(key, a, b, 4 * n + 3);
+        product *= uniform(scattered_, a, b, 4 * n + 3);
       }
     }
   }
@@ -166,15 +179,18 @@ double WoodSolid::boundary_vessels(const Place& place, double soft_mm) const {
   const double angle = std::atan2(place.section_y, place.section_x);
   const double here = std::floor(angle / turn * count);
   const double reach = std::ceil(1.0 + (radius + soft_mm) * wood_.ring_vessels_per_mm);
-  const Seed key = hash(seed_, boundary, std::int64_t(ring));
+  const Seed key = hash(boundary_, std::int64_t(ring));
   double dark = 0.0;
   for (double k = here - reach; k <= here + reach; k += 1.0) {
     const auto index = std::int64_t(k - count * std::floor(k / count));
     const double theta = (k + 0.5 + 0.8 * (uniform(key, index, 0) - 0.5)) * turn / count;
     const double size = radius * (0.75 + 0.5 * uniform(key, index, 1));
     const double rho = boundary_rho + size * 1.15 + 2.0 * radius * uniform(key, index, 2);
-    const double distance = std::hypot(place.section_x - rho * std::cos(theta),
-                                       place.section_y - rho * std::sin(theta));
+    // Along and across the ring: the arc between two places of one ring is nearly straight.
+    const double across = place.rho - rho;
+    const double along = rho * std::remainder(angle - theta, turn);
+    if (std::abs(across) > size + soft_mm || std::abs(along) > size + soft_mm) continue;
+    const double distance = std::sqrt(across * across + along * along);
     dark = std::max(dark, inside_disc(distance, size, soft_mm));
   }
   return dark;
@@ -184,7 +200,7 @@ double WoodSolid::boundary_vessels(const Place& place, double soft_mm) const {
 double WoodSolid::shade_at(const Place& place, double soft_mm) const {
   double shade = 1.0;
   if (wood_.fibre_shift > 0.0) {
-    shade += wood_.fibre_shift * value_noise(hash(seed_, fibres), place.section_x / wood_.fibre_mm,
+    shade += wood_.fibre_shift * value_noise(fibres_, place.section_x / wood_.fibre_mm,
                                              place.section_y / wood_.fibre_mm);
   }
   double dark = 0.0;

@@ -37,16 +37,18 @@ class WoodSolid {
  private:
   double year_at(double rho) const;
   double radius_of(double year) const;
+  double fluctuation_at(double year, double z) const;
   double turn_at(double r, double year, double z) const;
   double shade_at(const Place& place, double soft_mm) const;
   double scattered_vessels(const Place& place, double soft_mm) const;
   double boundary_vessels(const Place& place, double soft_mm) const;
 
   Wood<> wood_;
-  Seed seed_;
-  double usual_width_ = 1.0;  // of a ring, mm
-  double inner_years_ = 0.0;  // rings inside the first that is listed
-  double vessel_cell_ = 1.0;  // mm
+  Seed wobble_, fluctuation_, fibres_, scattered_, boundary_;  // a random field each
+  std::vector<double> turn_at_zero_;  // of the fluctuation, by the sixteenth of a year
+  double usual_width_ = 1.0;          // of a ring, mm
+  double inner_years_ = 0.0;          // rings inside the first that is listed
+  double vessel_cell_ = 1.0;          // mm
 };
 
 }  // namespace hada

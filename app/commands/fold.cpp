@@ -143,7 +143,8 @@ void fold_states_command(const FoldStatesArguments& arguments, const Terminal& t
   }
   Json json = result_of(folded, "fold_states/1");
   json["overlapping_pairs"] = folded.layers.overlapping_pairs;
-  json["states"] = states;
+  constexpr std::size_t exact_digits = 15;  // of a number in JSON; more are told as text
+  json["states"] = states.size() <= exact_digits ? Json(std::stoll(states)) : Json(states);
   json["part_states"] = folded.layers.part_states;
   terminal.result(json.dump(1));
 }

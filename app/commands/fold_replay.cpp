@@ -38,7 +38,7 @@ void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& t
   file.frames = {frame_of(last), flat_frame(last.sheet)};
   put_text(output, "model.fold", fold_text(file));
   write_mesh(output, "model.obj", mesh_of(file.frames[0]));
-  const SheetView view{arguments.turn_deg, arguments.tilt_deg, 480};
+  const SheetView view{arguments.roll_deg, arguments.turn_deg, arguments.tilt_deg, 480};
   put_picture(output, "model.png", sheet_picture(file.frames[0], view));
   for (std::size_t i = 0; arguments.frames && i < states.size(); ++i) {
     put_picture(output, fmt::format("step_{:02}.png", i), sheet_picture(frame_of(states[i]), view));

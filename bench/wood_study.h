@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "core/random.h"
+
+namespace hada {
+
+/// How well pith, rings and spiral of one rendered block were found.
+struct BlockScore {
+  double pith_mm = 0.0;     // distance from the true pith
+  double radii_mm = 0.0;    // mean error of the rings that were found
+  double recall = 0.0;      // share of the true rings that were found, within 0.4 mm
+  double precision = 0.0;   // share of what was found that is a true ring
+  double spiral_deg = 0.0;  // error of the angle
+};
+
+/// folder  of rendered/wood_block; name "softwood_a" or "ringporous_b"
+BlockScore score_block(const std::filesystem::path& folder, const char* name);
+
+/// How a disc of pine agrees with the rings that another program detected on it.
+struct DiscScore {
+  double pith_share = 0.0;  // distance of the piths over the radius of the disc
+  int rings = 0;            // of the other program, its pith left out
+  int found = 0;            // of these: mean distance along the ring below 6 px
+  double radius_px = 0.0;   // median difference of mean radii
+  double seconds = 0.0;
+};
+
+/// folder  of wood/disc
+DiscScore score_disc(const std::filesystem::path& folder);
+
+/// Profiles of x-ray density whose first and last year are known.
+struct ProfileScore {
+  int dated = 0;
+  int right = 0;  // ring count within 1 of the years
+};
+
+/// folder  of wood/xray_profiles
+ProfileScore score_profiles(const std::filesystem::path& folder);
+
+/// Made stems of random pith, lobes and ring widths, looked at three times coarser than drawn, with
+/// noise and 8 bits.
+struct StemScore {
+  double pith_share = 0.0;      // median over stems: error over the largest radius seen
+  double radii_px = 0.0;        // root mean square error of the rings
+  double f1 = 0.0;              // harmonic mean of recall and precision
+  double coverage = 0.0;        // of 90 % intervals of pith, lobes and radii
+  double spiral = 0.0;          // median error of the gradient of made faces
+  double wave_amplitude = 0.0;  // median relative errors
+  double wave_length = 0.0;
+  double face_coverage = 0.0;  // of 90 % intervals of gradient, amplitude and length
+};
+
+StemScore study_stems(int seeds);
+
+/// Seconds of one core for 2048 x 2048 pixels of wavy, ring-porous wood.
+double seconds_of_a_slice();
+
+}  // namespace hada

@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace hada {
+namespace {
+
+using testing::HasSubstr;
+
+// A vertex in the middle of a square with four folds; `angle` moves one of them off.
+std::string vertex_pattern(const std::string& end) {
+  return "1 -1 -1 1 -1\n1 1 -1 1 1\n1 1 1 -1 1\n1 -1 1 -1 -1\n"
+         "2 0 0 1 0\n3 0 0 0 1\n3 0 0 -1 0\n3 0 0 " +
+         end + "\n";
+}
+
+TEST(Fold, ChecksFoldsAndCounts) {
+  const Scratch scratch;
+  put(scratch / "cross.cp", vertex_pattern("0 -1"));
+  const std::string pattern = (scratch / "cross.cp").string();
+  EXPECT_THAT(answer("fold check " + pattern).out, HasSubstr("folds flat: every vertex does"));
+  EXPECT_THAT(answer("fold states " + pattern).out, HasSubstr("1 state"));
+  EXPECT_THAT(answer("fold states " + pattern + " --json").out, HasSubstr("\"states\": 1"));
+  const std::string flat = (scratch / "flat.fold").string();
+  EXPECT_EQ(answer("fold flat " + pattern + " -o " + flat).code, 0);
+  EXPECT_THAT(text_of(flat), HasSubstr("faceOrders"));
+  EXPECT_THAT(text_of(flat), HasSubstr("faces_vertices"));
+  EXPECT_EQ(answer("fold convert " + flat + " -o " + (scratch / "a.obj").string()).code, 0);
+  EXPECT_THAT(text_of(scratch / "a.obj"), HasSubstr("v "));
+  const std::string shape = (scratch / "shape.fold").string();
+  EXPECT_EQ(answer("fold simulate " + pattern + " --percent 40 -o " + shape).code, 0);
+  EXPECT_THAT(text_of(shape), HasSubstr("edges_foldAngle"));
+}
+
+TEST(Fold, RefusesWhatDoesNotFoldFlat) {
+  const Scratch scratch;
+  put(scratch / "bad.cp", vertex_pattern("0.3 -1"));
+  const std::string pattern = (scratch / "bad.cp").string();
+  EXPECT_THAT(answer("fold check " + pattern).out, HasSubstr("Kawasaki"));
+  const Answer said = answer("fold flat " + pattern + " -o " + (scratch / "x.fold").string());
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("Kawasaki"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "x.fold"));
+}
+
+TEST(Fold, ReplaysTheShippedCraneToTheSameBytes) {
+  const Scratch scratch;
+  const std::string log = std::string(HADA_SOURCE_DIR) + "/data_synthetic/folds/crane.json";
+  for (const char* name : {"one", "two"}) {
+    const Answer said = answer("fold replay " + log + " -o " + (scratch / name).string());
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.out, HasSubstr("0 pairs of faces pass through each other"));
+  }
+  for (const char* file : {"model.fold", "model.obj", "model.png"}) {
+    EXPECT_EQ(text_of(scratch / (std::string("one/") + file)),
+              text_of(scratch / (std::string("two/") + file)));
+  }
+}
+
+}  // namespace
+}  // namespace hada
