@@ -96,15 +96,17 @@ Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFra
                std::vector<double>(std::size_t(rings), 1e-300),
                std::vector<double>(std::size_t(rings), 0.0),
                std::vector<Eigen::VectorXd>(std::size_t(rings), Eigen::VectorXd::Zero(size))};
+  Eigen::MatrixXd rows(size, Eigen::Index(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto ring = std::size_t(points[i].ring);
     const auto [rho, slope] = local_at(frame, points[i].place);
     sums.weight[ring] += weights[i];
     sums.mean[ring] += weights[i] * rho;
     sums.slope[ring] += weights[i] * slope;
-    sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(slope, weights[i]);
+    rows.col(Eigen::Index(i)) = std::sqrt(weights[i]) * slope;
     sums.right += weights[i] * rho * slope;
   }
+  sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(rows);
   sums.normal = sums.normal.selfadjointView<Eigen::Lower>();
   for (std::size_t ring = 0; ring < std::size_t(rings); ++ring) {
     const double w = sums.weight[ring];

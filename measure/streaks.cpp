@@ -14,7 +14,7 @@ namespace {
 constexpr std::array lags = {6, 12, 18, 24};      // rows
 constexpr double fine_px = 0.6, coarse_px = 2.0;  // Gaussians whose difference is the texture
 constexpr double line_px = 3.0;                   // Gaussian that leaves the stronger lines
-constexpr double strong_line = 3.0;               // times the usual slope of that
+constexpr double strong_line = 1.8;               // times the usual slope of that
 constexpr float most = 2.5f;                      // deviations that one pixel may count
 constexpr double least_filled = 0.3;              // of the pixels of a part
 
