@@ -48,7 +48,8 @@ struct GrainRings {
 /// 512 x 1024 pixels from the middle of blocks of 1024 x 16384, each seen through a taper.
 GrainRings grain_rings(const std::string& sequence, int seeds);
 
-/// Median seconds for a block of 2048 x 16384, levels included.
-double block_seconds(const std::string& sequence, int repeats);
+/// Median seconds of processor time, of all threads together, for a block of 2048 x 16384, levels
+/// included.
+double block_processor_seconds(const std::string& sequence, int repeats);
 
 }  // namespace hada
