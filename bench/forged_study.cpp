@@ -150,25 +150,29 @@ ForgedStudy study_forged(const ForgedStudyOptions& options) {
 
 GrainRings grain_rings(const std::string& sequence, int seeds) {
   constexpr int rows = 512, cols = 1024, rings = 32;
-  constexpr double widest = 0.5;  // cycles per px
+  constexpr double widest = 0.5;      // cycles per px
+  constexpr double faintest = 1e-11;  // of the variance: floats round heights to 1e-15 of it
+  std::vector<bool> visible(rings, false);
   std::vector<double> sums(rings, 0.0), squares(rings, 0.0);
   for (int seed = 0; seed < seeds; ++seed) {
     const auto block = forged_block({.sequence = sequence}, {1024, 16384}, Seed(seed));
     const auto spectrum = grain_spectrum(crop(block, 256, 7000, rows, cols), {.taper = 1.0});
     const auto model = grain_model(sequence, HammerKernel::both, spectrum);
-    std::vector<double> measured(rings, 0.0), expected(rings, 0.0);
+    std::vector<double> measured(rings, 0.0), expected(rings, 0.0), counts(rings, 0.0);
     for (int r = 0; r < spectrum.y.cells(); ++r) {
       for (int c = 0; c < spectrum.x.cells(); ++c) {
         const double fx = double(spectrum.x.edges[std::size_t(c)]) / cols;
         const double fy = double(spectrum.y.edges[std::size_t(r)]) / rows;
         const int ring = int(std::hypot(fx, fy) / widest * rings);
         if (ring >= rings) continue;
+        counts[std::size_t(ring)] += spectrum.count(r, c);
         measured[std::size_t(ring)] += spectrum.count(r, c) * spectrum.power(r, c);
         expected[std::size_t(ring)] += spectrum.count(r, c) * model.variance *
                                        model.along[std::size_t(c)] * model.down[std::size_t(r)];
       }
     }
     for (std::size_t k = 0; k < rings; ++k) {
+      visible[k] = visible[k] || expected[k] > faintest * model.variance * counts[k];
       const double ratio = expected[k] > 0.0 ? measured[k] / expected[k] : 1.0;
       sums[k] += ratio;
       squares[k] += ratio * ratio;
@@ -176,6 +180,7 @@ GrainRings grain_rings(const std::string& sequence, int seeds) {
   }
   GrainRings result{sequence};
   for (std::size_t k = 0; k < rings; ++k) {
+    if (!visible[k]) continue;
     const double mean = sums[k] / seeds;
     const double sigma = std::sqrt(std::max(squares[k] / seeds - mean * mean, 0.0) / (seeds - 1.0));
     ++result.rings;

@@ -18,6 +18,7 @@
 #include "bench/normals_study.h"
 #include "bench/process.h"
 #include "bench/results_fold.h"
+#include "bench/results_forged.h"
 #include "bench/results_page.h"
 #include "bench/results_wood.h"
 #include "bench/results_wrinkle.h"
@@ -310,6 +311,7 @@ int main(int argc, char** argv) {
       {"height", integration_speed},
       {"wrinkle", hada::wrinkle_results},
       {"fold", hada::fold_results},
+      {"forged", hada::forged_results},
       {"wood", [] { return hada::wood_results(hada::data_folder()); }}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");

@@ -41,7 +41,7 @@ TEST(MaterialFile, NeedsNothingButTheMaterial) {
 
 TEST(MaterialFile, NamesAnUnknownMaterialAndWhatThereIs) {
   EXPECT_THROW(material_named("straw"), Error);
-  EXPECT_EQ(material_names(), "wrinkle");
+  EXPECT_NE(material_names().find("wrinkle"), std::string::npos);
 }
 
 TEST(MaterialFile, HashChangesWithEveryValue) {

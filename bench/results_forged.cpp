@@ -1,0 +1,65 @@
+#include "bench/results_forged.h"
+
+#include <fmt/format.h>
+
+#include "bench/forged_study.h"
+#include "bench/results_page.h"
+
+namespace hada {
+namespace {
+
+constexpr int pictures = 50;
+constexpr int seeds = 50;
+
+std::string share(double value) {
+  return fmt::format("{:.0f} %", 100.0 * value);
+}
+
+std::string named_rows() {
+  const auto clean = study_forged({.pictures = pictures, .degraded = false});
+  std::string page = row({"clean crop of 512 x 1024, 6 folds: whole sequence first", "99 %",
+                          share(clean.first), verdict(clean.first >= 0.99)});
+  const auto seen = study_forged({.pictures = pictures});
+  page += row({"levels 70 / 5, noise 10 %, blur 0.7 px, tone: number of C and of R", "95 %",
+               share(seen.counts), verdict(seen.counts >= 0.95)});
+  page += row({"its sequence: first, among three", "60 %, 90 %",
+               share(seen.first) + ", " + share(seen.among_three),
+               verdict(seen.first >= 0.6 && seen.among_three >= 0.9)});
+  page += row({"masame, itame, mokume", "98 %", share(seen.kinds), verdict(seen.kinds >= 0.98)});
+  const auto small = study_forged({.pictures = 2 * pictures, .rows = 256, .cols = 256});
+  page += row({"the same, 256 x 256: among three", "75 %", share(small.among_three),
+               verdict(small.among_three >= 0.75)});
+  const auto tiny = study_forged({.pictures = 2 * pictures, .rows = 128, .cols = 128});
+  const int unsure = small.unsure + tiny.unsure;
+  const double right =
+      unsure > 0 ? (small.unsure * small.unsure_right + tiny.unsure * tiny.unsure_right) / unsure
+                 : 0.0;
+  return page + row({"sequences given 0.4 to 0.6, 256 x 256 and 128 x 128: right", "35 to 65 %",
+                     fmt::format("{} of {}", share(right), unsure),
+                     verdict(right >= 0.35 && right <= 0.65)});
+}
+
+std::string ring_rows() {
+  std::string page;
+  for (const auto& grain : paper_grains()) {
+    if (grain.seed != 0) continue;  // the other picture of the same sequence
+    const auto rings = grain_rings(grain.sequence, seeds);
+    page += row({fmt::format("{}: rings of {} seeds within 2 sigma of the closed form",
+                             grain.sequence, seeds),
+                 "95 %", fmt::format("{} of {}", rings.within_two_sigma, rings.rings),
+                 verdict(rings.within_two_sigma >= 0.95 * rings.rings)});
+  }
+  return page;
+}
+
+}  // namespace
+
+std::string forged_results() {
+  const double seconds = block_processor_seconds("CRCRCRCRCRCR", 5);
+  return table("Forged steel", "| figure | must | measured | met |") +
+         row({"block of 2048 x 16384, 12 folds: processor time of 2 cores, s", "1.0",
+              fmt::format("{:.2f}", seconds), verdict(seconds <= 1.0)}) +
+         ring_rows() + named_rows();
+}
+
+}  // namespace hada
