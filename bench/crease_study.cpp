@@ -56,8 +56,14 @@ Truth made_sheet(Seed seed, const CreaseStudyOptions& options) {
     sheet.fold_angles[std::size_t(e)] = truth.folds_deg[k++] * degree;
   }
   sheet.folded = simulate(sheet).places;
-  // The panel in the middle lies nearly level.
-  const auto corners = sheet.corners_of(0);
+  // The panel in the middle lies level, so that no lamp sets behind another.
+  int middle_face = 0;
+  for (int f = 0; f < sheet.faces(); ++f) {
+    int creases = 0;
+    for (const int h : sheet.halves_of(f)) creases += sheet.is_border(h / 2) ? 0 : 1;
+    if (creases == 2) middle_face = f;
+  }
+  const auto corners = sheet.corners_of(middle_face);
   const Vector3d a = sheet.folded[std::size_t(corners[0])];
   const Vector3d normal = (sheet.folded[std::size_t(corners[1])] - a)
                               .cross(sheet.folded[std::size_t(corners[2])] - a)
