@@ -34,8 +34,11 @@ std::vector<double> as_list(const std::array<double, 3>& colour) {
 }
 
 void set_shape(Fit<Wood<>>& fit, const EndGrain& grain, double pitch) {
-  const auto& [frame, radii, radii_sigma, pith_sigma, lobe_sigma, scatter, points, independent,
-               covariance] = grain.shape;
+  const GrowthFrame& frame = grain.shape.frame;
+  const auto& radii = grain.shape.radii;
+  const auto& radii_sigma = grain.shape.radii_sigma;
+  const auto& pith_sigma = grain.shape.pith_sigma;
+  const auto& lobe_sigma = grain.shape.lobe_sigma;
   const double localised = boundary_px * pitch;
   fit.material.pith_mm = {frame.pith.x(), frame.pith.y()};
   const double lattice = lattice_px * pitch;
