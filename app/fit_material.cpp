@@ -2,6 +2,7 @@
 
 #include "app/measurement.h"
 #include "fit/forged.h"
+#include "fit/knit.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
 
@@ -17,6 +18,10 @@ Fit<Wrinkle<>> fit_like(const Wrinkle<>&, Surface surface, const FitMaterialOpti
                      "The input has no height: its brightness (0 to 1) was fitted instead, so "
                      "amplitudes are brightness while lengths and angles keep their meaning.");
   return fit;
+}
+
+Fit<Knit<>> fit_like(const Knit<>&, const Surface& surface, const FitMaterialOptions& options) {
+  return fit_knit(surface, {.courses = options.components});
 }
 
 Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOptions& options) {

@@ -7,13 +7,14 @@
 #include "core/random.h"
 #include "core/surface.h"
 #include "synth/forged.h"
+#include "synth/knit.h"
 #include "synth/wood.h"
 #include "synth/wrinkle.h"
 
 namespace hada {
 
 /// Every material that hada knows: the variant is the registry.
-using Material = std::variant<Wrinkle<>, Wood<>, Forged<>>;
+using Material = std::variant<Wrinkle<>, Wood<>, Forged<>, Knit<>>;
 
 /// A material of which only the power spectrum is a fact; the phases are luck. `spectrum_of` is its
 /// `psd` made ready for many frequencies.

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "fit/forged.h"
+#include "fit/knit.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
 #include "io/json.h"
@@ -34,6 +35,10 @@ auto fitted(const Wrinkle<>& shape, const Surface& surface) {
 
 auto fitted(const Forged<>&, const Surface& surface) {
   return fit_forged(surface, {.fewest_folds = 4, .most_folds = 8});
+}
+
+auto fitted(const Knit<>&, const Surface& surface) {
+  return fit_knit(surface);
 }
 
 auto fitted(const Wood<>&, const Surface& surface) {
