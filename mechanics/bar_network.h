@@ -64,7 +64,8 @@ struct Relaxed {
 /// with a sparse factorisation.
 ///
 /// Rigid: bars are made stiffer than hinges step by step until they hardly change, and what is left
-/// is taken off by a descent of bars and planes alone, which moves the points as little as possible.
+/// is taken off by a descent of bars and planes alone, which moves the points as little as
+/// possible.
 Relaxed relax(const BarNetwork& network, std::vector<Eigen::Vector3d> start,
               const RelaxOptions& options = {});
 
