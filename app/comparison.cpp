@@ -24,9 +24,16 @@ double log_density(const Rings& rings, double frequency) {
   return (1.0 - share) * std::log10(rings.density[i - 1]) + share * std::log10(rings.density[i]);
 }
 
-}  // namespace
+std::size_t nearest_ring(const Rings& rings, double frequency) {
+  const auto above = std::lower_bound(rings.frequency.begin(), rings.frequency.end(), frequency);
+  const auto i = std::size_t(above - rings.frequency.begin());
+  if (i == 0 || i == rings.frequency.size()) return i == 0 ? 0 : i - 1;
+  return frequency - rings.frequency[i - 1] < rings.frequency[i] - frequency ? i - 1 : i;
+}
 
-double spectral_distance_db(const Rings& a, const Rings& b) {
+// Over the rings of `a` that count, of difference(i, log10 of a, log10 of b).
+template <class Difference>
+double root_mean_square_over(const Rings& a, const Rings& b, const Difference& difference) {
   // What lies 60 dB under the strongest ring is the residue of tapers and noise in either map.
   const double strongest = std::max(*std::max_element(a.density.begin(), a.density.end()),
                                     *std::max_element(b.density.begin(), b.density.end()));
@@ -38,12 +45,27 @@ double spectral_distance_db(const Rings& a, const Rings& b) {
     const double of_a = std::max(floor, std::log10(a.density[i]));
     const double of_b = std::max(floor, log_density(b, a.frequency[i]));
     if (of_a == floor && of_b == floor) continue;
-    const double decibel = 10.0 * (of_a - of_b);
+    const double decibel = difference(i, of_a, of_b);
     if (!std::isfinite(decibel)) continue;
     sum += decibel * decibel;
     ++count;
   }
   return count == 0 ? 0.0 : std::sqrt(sum / count);
+}
+
+}  // namespace
+
+double spectral_distance_db(const Rings& a, const Rings& b) {
+  return root_mean_square_over(
+      a, b, [&](std::size_t, double of_a, double of_b) { return 10.0 * (of_a - of_b); });
+}
+
+double spectral_floor_db(const Rings& a, const Rings& b) {
+  constexpr double per_neper = 4.342944819;  // decibel of power
+  return root_mean_square_over(a, b, [&](std::size_t i, double, double) {
+    const std::size_t j = nearest_ring(b, a.frequency[i]);
+    return per_neper * std::hypot(a.sigma[i] / a.density[i], b.sigma[j] / b.density[j]);
+  });
 }
 
 std::vector<double> light_errors(const std::vector<Light>& found, const std::vector<Light>& truth) {
@@ -70,6 +92,7 @@ Comparison compare(const Surface& first, const Surface& second) {
   comparison.second = measure(second);
   comparison.spectral_distance_db =
       spectral_distance_db(comparison.first.rings, comparison.second.rings);
+  comparison.spectral_floor_db = spectral_floor_db(comparison.first.rings, comparison.second.rings);
   return comparison;
 }
 
@@ -87,6 +110,7 @@ std::string comparison_text(const Comparison& c) {
     }
   }
   json["spectral_distance_db"] = c.spectral_distance_db;
+  json["spectral_floor_db"] = c.spectral_floor_db;
   const auto add = [&](const char* key, Roughness RoughnessEstimate::*which) {
     json[key] = {Json::parse(roughness_text(c.first.roughness.*which)),
                  Json::parse(roughness_text(c.second.roughness.*which))};

@@ -35,6 +35,7 @@ struct Comparison {
   Measurement first;
   Measurement second;
   double spectral_distance_db = 0.0;  // root mean square over the rings
+  double spectral_floor_db = 0.0;     // what two surfaces of one spectrum would differ by
 };
 
 /// throws  Error if one is in mm and the other in px, or only one has a height
@@ -43,6 +44,10 @@ Comparison compare(const Surface& first, const Surface& second);
 /// Root mean square over the rings of `a` of 10 log10(a / b), b read between its own rings. Rings
 /// of which both have less than a millionth of the strongest ring do not count.
 double spectral_distance_db(const Rings& a, const Rings& b);
+
+/// The distance that chance alone makes between the rings of two realisations of one spectrum: root
+/// mean square of the standard errors of both, over the rings that count.
+double spectral_floor_db(const Rings& a, const Rings& b);
 
 /// Angles between lights that belong together, radians.
 std::vector<double> light_errors(const std::vector<Light>& found, const std::vector<Light>& truth);

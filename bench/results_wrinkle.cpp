@@ -126,7 +126,11 @@ std::string bands_of_papers() {
 }  // namespace
 
 std::string wrinkle_results() {
-  return wrinkle_fits() + wrinkle_speed() + papers() + bands_of_papers();
+  std::string page = wrinkle_fits();
+  page += wrinkle_speed();
+  page += papers();
+  page += bands_of_papers();
+  return page;
 }
 
 }  // namespace hada

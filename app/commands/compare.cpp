@@ -32,7 +32,9 @@ void tell(const Comparison& c, const Terminal& terminal) {
                                o.normal_mean / degree, o.normal_median / degree));
     }
   }
-  terminal.say(fmt::format("ring spectra differ by {:.2f} dB", c.spectral_distance_db));
+  terminal.say(
+      fmt::format("ring spectra differ by {:.2f} dB; two surfaces of one kind by {:.2f} dB",
+                  c.spectral_distance_db, c.spectral_floor_db));
   for (const RoughnessField& field : roughness_fields) {
     const auto of = [&](const Measurement& m) {
       return with_sigma(m.roughness.value.*(field.value), m.roughness.sigma.*(field.value));

@@ -72,7 +72,10 @@ std::string roughness_table(const Comparison& c) {
 }  // namespace
 
 std::string compare_page(const Surface& first, const Surface& second, const Comparison& c) {
-  std::string text = fmt::format("The ring spectra differ by {:.2f} dB.", c.spectral_distance_db);
+  std::string text = fmt::format(
+      "The ring spectra differ by {:.2f} dB; two surfaces of one and the same kind would differ by "
+      "{:.2f} dB.",
+      c.spectral_distance_db, c.spectral_floor_db);
   if (c.overlap) {
     text += fmt::format(
         " Where both are known, on {} pixels, the first differs by {:.3g} root "
