@@ -9,6 +9,7 @@
 
 #include "core/fft.h"
 #include "core/parallel.h"
+#include "synth/white_noise.h"
 
 namespace hada {
 namespace {
@@ -29,9 +30,8 @@ class Coefficients {
 
  private:
   static std::complex<float> drawn(std::uint64_t key) {
-    const float radius = std::sqrt(-std::log(float(unit_interval(mixed(key, 0)))));
-    const float turn = 2.0f * float(std::numbers::pi) * float(unit_interval(mixed(key, 1)));
-    return {radius * std::cos(turn), radius * std::sin(turn)};
+    constexpr double half = 1.0 / std::numbers::sqrt2;
+    return {float(half * normal_of(key)), float(half * normal_of(mixed(key, 1)))};
   }
 
   std::uint64_t row_, mirrored_;

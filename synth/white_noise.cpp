@@ -45,8 +45,10 @@ double unit_of(std::uint64_t bits) {
   return (double(bits >> 11) + 0.5) * 0x1p-53;
 }
 
-/// The normal number of `bits`; further bits come from the stream that they begin.
-double normal(std::uint64_t bits) {
+}  // namespace
+
+double normal_of(std::uint64_t bits) {
+  // Whoever is turned away draws further bits from the stream that these begin.
   for (std::uint64_t k = 1;; ++k) {
     const auto layer = std::size_t(bits & 255u);
     const double sign = bits & 256u ? -1.0 : 1.0;
@@ -67,12 +69,10 @@ double normal(std::uint64_t bits) {
   }
 }
 
-}  // namespace
-
 void fill_white_noise(std::span<float> row, Seed seed, int row_number) {
   constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
   std::uint64_t state = hash(seed, row_number);
-  for (float& value : row) value = float(normal(mixed(state += golden)));
+  for (float& value : row) value = float(normal_of(mixed(state += golden)));
 }
 
 }  // namespace hada
