@@ -144,13 +144,15 @@ Places KnitNewton::step(const KnitNet& net, const KnitSprings& springs, const Kn
                         const Places& load, double tolerance, double drag) {
   if (!fresh_ || drag != drag_) factorize(net, springs, frames, drag);
   drag_ = drag;
+  const auto apply = [&](const VectorXd& x) -> VectorXd {
+    const Places way = in_space(net, frames, x);
+    Places change = force_changes(net, springs, way);
+    for (std::size_t i = 0; i < frames.turning.size(); ++i) change[i] += frames.turning[i] * way[i];
+    return within(net, frames, change) - drag * x;
+  };
   const auto solved = gmres(
-      [&](const VectorXd& x) -> VectorXd {
-        return within(net, frames, force_changes(net, springs, in_space(net, frames, x))) -
-               drag * x;
-      },
-      [&](const VectorXd& x) -> VectorXd { return -factors_.solve(x); }, within(net, frames, load),
-      tolerance);
+      apply, [&](const VectorXd& x) -> VectorXd { return -factors_.solve(x); },
+      within(net, frames, load), tolerance);
   fresh_ = solved.directions <= worth_factors;
   return in_space(net, frames, solved.x);
 }

@@ -12,6 +12,9 @@ namespace hada {
 struct KnitFrames {
   int free = 2;
   std::vector<Eigen::Matrix3d> axes;
+  // What the force within the frame changes by, besides J, because the frame turns as its point
+  // moves; empty: frames stay as they are.
+  std::vector<Eigen::Matrix3d> turning = {};
 };
 
 /// Newton's steps of a knit: where its forces would vanish if they changed as they begin to.

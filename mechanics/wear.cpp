@@ -1,0 +1,264 @@
+#include "mechanics/wear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "mechanics/knit_newton.h"
+#include "mechanics/knit_rest.h"
+
+namespace hada {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double longest_slide = 0.3;  // of a step, over the girth of the tube at rest
+constexpr double exactness = 5e-2;     // of a step
+constexpr double uphill = 1.5;
+constexpr double first_drag = 0.1;  // over the stiffness of nylon, once a step has failed
+constexpr double least_drag = 1e-3;
+// With friction the way counts, and must not lead beyond where points come to a stand: steps are
+// short and dragged, and the search ends where no force exceeds the friction by more than a share
+// of the largest tension.
+constexpr double rough_slide = 0.02, rough_drag = 0.3;
+constexpr double still = 2e-3;
+
+struct Span {
+  double from, to, reach;  // heights, and a length that leads out of the body
+};
+
+Span span_of(const Body& body, const WearOptions& options) {
+  Vector3d low = body.mesh().vertices_mm[0], high = low;
+  for (const Vector3d& v : body.mesh().vertices_mm) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const double bottom = low[options.axis], top = high[options.axis];
+  Span span{options.from_mm, options.to_mm, (high - low).norm()};
+  if (span.from == span.to) {
+    span.from = bottom + 0.05 * (top - bottom);
+    span.to = top - 0.05 * (top - bottom);
+  }
+  if (span.from < bottom || span.to > top || span.from >= span.to) {
+    throw Error(
+        "the knit must be drawn from a lower to a higher place of the body, which reaches "
+        "from " +
+        std::to_string(bottom) + " to " + std::to_string(top) + " mm");
+  }
+  return span;
+}
+
+// The middle of the body's outline at a height: the mean place of that line.
+Vector3d middle_at(const Body& body, int axis, double height) {
+  Vector3d sum = Vector3d::Zero();
+  double length = 0.0;
+  for (const auto& t : body.mesh().triangles) {
+    std::vector<Vector3d> cut;
+    for (std::size_t s = 0; s < 3; ++s) {
+      const Vector3d& a = body.mesh().vertices_mm[std::size_t(t[s])];
+      const Vector3d& b = body.mesh().vertices_mm[std::size_t(t[(s + 1) % 3])];
+      if ((a[axis] < height) == (b[axis] < height)) continue;
+      cut.push_back(a + (b - a) * ((height - a[axis]) / (b[axis] - a[axis])));
+    }
+    if (cut.size() != 2) continue;
+    const double part = (cut[1] - cut[0]).norm();
+    sum += part * 0.5 * (cut[0] + cut[1]), length += part;
+  }
+  if (length == 0.0) {
+    throw Error("the body has no outline at " + std::to_string(height) + " mm");
+  }
+  return sum / length;
+}
+
+// Even turns around the body at even heights, seen from the middle of its outline.
+std::vector<MeshPlace> drawn_over(const Body& body, const WearOptions& o, const Span& span) {
+  std::vector<MeshPlace> places(std::size_t(o.courses * o.wales));
+  for_each_index(o.courses, [&](int course) {
+    const double height = span.from + (span.to - span.from) * course / (o.courses - 1.0);
+    const Vector3d middle = middle_at(body, o.axis, height);
+    const Vector3d u = Vector3d::Unit((o.axis + 1) % 3), v = Vector3d::Unit((o.axis + 2) % 3);
+    for (int wale = 0; wale < o.wales; ++wale) {
+      const double turn = 2.0 * std::numbers::pi * wale / o.wales;
+      const Vector3d out = std::cos(turn) * u + std::sin(turn) * v;
+      const MeshPlace hit = body.tree().first_hit(middle + span.reach * out, -out);
+      if (hit.triangle < 0 || hit.distance >= span.reach) {
+        throw Error("the body has no surface on one side at " + std::to_string(height) +
+                    " mm: draw the knit over a part that is closed around");
+      }
+      places[std::size_t(course * o.wales + wale)] = hit;
+    }
+  });
+  return places;
+}
+
+double smallest_girth(const std::vector<MeshPlace>& places, const WearOptions& o) {
+  double smallest = HUGE_VAL;
+  for (int course = 0; course < o.courses; ++course) {
+    double girth = 0.0;
+    for (int wale = 0; wale < o.wales; ++wale) {
+      const auto at = [&](int w) { return places[std::size_t(course * o.wales + w % o.wales)]; };
+      girth += (at(wale + 1).place - at(wale).place).norm();
+    }
+    smallest = std::min(smallest, girth);
+  }
+  return smallest;
+}
+
+// What pulls each point along the surface and is not held by friction; and the frames there.
+struct Sliding {
+  Places load;
+  KnitFrames frames;
+  std::vector<double> press;
+  std::vector<bool> stuck;
+  double norm = 0.0, largest = 0.0;
+};
+
+Sliding sliding(const Body& body, const KnitNet& net, const KnitSprings& springs,
+                const std::vector<MeshPlace>& at, double friction) {
+  const auto n = std::size_t(net.points());
+  Sliding s;
+  s.load = forces(net, springs);
+  s.frames.axes.resize(n), s.frames.turning.resize(n);
+  s.press.resize(n);
+  s.stuck.assign(n, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector3d normal = body.normal(at[i]);
+    const Vector3d first = normal.unitOrthogonal();
+    s.frames.axes[i] << first, normal.cross(first), normal;
+    s.press[i] = -normal.dot(s.load[i]);
+    // The tangents t turn by -n (t . dn): the force onto the body comes to pull along it.
+    s.frames.turning[i] = s.press[i] * body.curvature(at[i]);
+    s.load[i] += s.press[i] * normal;
+    const double along = s.load[i].norm(), held = friction * std::max(s.press[i], 0.0);
+    if (net.is_pinned(int(i)) || along <= held) {
+      s.stuck[i] = true;
+      s.load[i].setZero();
+    } else {
+      s.load[i] *= 1.0 - held / along;
+    }
+    s.norm += s.load[i].squaredNorm();
+    s.largest = std::max(s.largest, s.load[i].norm());
+  }
+  s.norm = std::sqrt(s.norm);
+  return s;
+}
+
+Places smooth_places(const Body& body, const std::vector<MeshPlace>& at) {
+  Places places;
+  for (const MeshPlace& place : at) places.push_back(body.smooth_place(place));
+  return places;
+}
+
+std::vector<MeshPlace> slid(const Body& body, const std::vector<MeshPlace>& at, const Places& way,
+                            double share) {
+  auto next = at;
+  for_each_index(int(at.size()), [&](int i) {
+    const auto p = std::size_t(i);
+    if (way[p].isZero(0.0)) return;
+    next[p] = body.tree().closest(at[p].place - share * way[p], at[p].triangle);
+  });
+  return next;
+}
+
+double largest_tension(const KnitSprings& springs) {
+  double most = 1e-300;
+  for (const double t : springs.along_tension) most = std::max(most, std::abs(t));
+  for (const double t : springs.up_tension) most = std::max(most, std::abs(t));
+  return most;
+}
+
+double longest(const Places& vectors) {
+  double most = 0.0;
+  for (const Vector3d& v : vectors) most = std::max(most, v.norm());
+  return most;
+}
+
+void describe(WornKnit& worn, const KnitSprings& springs) {
+  const KnitNet& net = worn.net;
+  for (int i = 0; i < net.points(); ++i) {
+    const int wale = i % net.wales, left = i - wale + (wale + net.wales - 1) % net.wales;
+    const auto p = std::size_t(i);
+    worn.wale_mm.push_back(0.5 *
+                           (springs.along_length[p] + springs.along_length[std::size_t(left)]));
+    const bool has_up = i + net.wales < net.points(), has_down = i >= net.wales;
+    const double up = springs.up_length[p],
+                 down = has_down ? springs.up_length[p - std::size_t(net.wales)] : up;
+    worn.course_mm.push_back(has_up ? 0.5 * (up + down) : down);
+    const Vector3d across = has_up ? springs.up[p] : springs.up[p - std::size_t(net.wales)];
+    worn.area_mm2.push_back(worn.wale_mm[p] * worn.course_mm[p] *
+                            springs.along[p].cross(across).norm());
+    worn.slack += springs.along_tension[p] < 0.0;
+    worn.slack += springs.up_tension[p] < 0.0;
+    worn.lifting += !net.is_pinned(i) && worn.press[p] < 0.0;
+  }
+}
+
+void check(const WearOptions& o) {
+  if (o.courses < 3 || o.wales < 3 || o.axis < 0 || o.axis > 2 || !(o.girth > 0.0) ||
+      !(o.length > 0.0) || !(o.ratio > 0.0) || o.repeat.empty() || !(o.friction >= 0.0)) {
+    throw Error(
+        "a worn knit needs 3 courses and 3 wales at least, and girth, length and stiffness "
+        "greater than 0");
+  }
+}
+
+}  // namespace
+
+WornKnit worn(const Body& body, const WearOptions& options) {
+  check(options);
+  const Span span = span_of(body, options);
+  auto at = drawn_over(body, options, span);
+  const double girth = options.girth * smallest_girth(at, options);
+  WornKnit result;
+  KnitNet& net = result.net;
+  net.courses = options.courses, net.wales = options.wales, net.round = true;
+  net.wale_length = girth / options.wales;
+  net.course_length = options.length * (span.to - span.from) / (options.courses - 1);
+  net.stiffness = stiffness_of_courses(options.courses, options.ratio, options.repeat);
+  net.continuity = options.continuity;
+  net.pinned.assign(at.size(), false);
+  std::fill_n(net.pinned.begin(), net.wales, true);
+  std::fill_n(net.pinned.rbegin(), net.wales, true);
+
+  KnitNewton newton(net, 2);
+  KnitSprings springs = springs_of(net, smooth_places(body, at));
+  Sliding now = sliding(body, net, springs, at, options.friction);
+  const bool rough = options.friction > 0.0;
+  double drag = rough ? rough_drag : 0.0;
+  while (result.steps < options.most_steps && !result.settled && now.norm > 0.0) {
+    ++result.steps;
+    KnitNet held = net;
+    held.pinned = now.stuck;
+    const Places way = newton.step(held, springs, now.frames, now.load, exactness, drag);
+    const double length = longest(way);
+    const double share =
+        std::min(1.0, (rough ? rough_slide : longest_slide) * girth / std::max(length, 1e-300));
+    auto next_at = slid(body, at, way, share);
+    KnitSprings next_springs = springs_of(net, smooth_places(body, next_at));
+    Sliding next = sliding(body, net, next_springs, next_at, options.friction);
+    if (!(next.norm <= uphill * now.norm)) {
+      drag = drag == 0.0 ? first_drag : 4.0 * drag;
+      continue;
+    }
+    result.last_step = length / net.wale_length;
+    result.settled = (drag == 0.0 && result.last_step < options.tolerance) ||
+                     (rough && next.largest < still * largest_tension(springs));
+    drag *= std::min(next.norm / now.norm, 0.5);
+    if (drag < least_drag) drag = 0.0;
+    if (rough) drag = std::max(drag, rough_drag);
+    at = std::move(next_at), springs = std::move(next_springs), now = std::move(next);
+  }
+  result.settled = result.settled || now.norm == 0.0;
+  result.sliding = now.largest / largest_tension(springs);
+  for (const MeshPlace& place : at) {
+    result.places.push_back(place.place);
+    result.triangles.push_back(place.triangle);
+    result.normals.push_back(body.normal(place));
+  }
+  result.press = std::move(now.press);
+  describe(result, springs);
+  return result;
+}
+
+}  // namespace hada
