@@ -10,14 +10,8 @@ namespace hada {
 namespace {
 
 // One overload per material: the only place where its fit is called.
-Fit<Wrinkle<>> fit_like(const Wrinkle<>&, Surface surface, const FitMaterialOptions& options) {
-  if (surface.has_height()) return fit_wrinkle(surface, {.components = options.components});
-  surface.height = measured_map(surface);
-  auto fit = fit_wrinkle(surface, {.components = options.components});
-  fit.remarks.insert(fit.remarks.begin(),
-                     "The input has no height: its brightness (0 to 1) was fitted instead, so "
-                     "amplitudes are brightness while lengths and angles keep their meaning.");
-  return fit;
+Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface, const FitMaterialOptions& options) {
+  return fit_wrinkle(surface, {.components = options.components});
 }
 
 Fit<Knit<>> fit_like(const Knit<>&, const Surface& surface, const FitMaterialOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.h"
 #include "core/quantile.h"
@@ -74,8 +75,8 @@ Observation observe(const Surface& surface) {
   }
   if (!surface.has_height()) {
     seen.remarks.push_back(
-        "The surface has no height, so the wrinkles describe its brightness: amplitudes are "
-        "brightness, not lengths.");
+        "The input has no height, so its brightness (0 to 1) was fitted: amplitudes are brightness, "
+        "while lengths and angles keep their meaning.");
   }
   const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
   seen.spectrum = power_spectrum(map, surface.mask, surface.extent);
@@ -92,6 +93,9 @@ Observation observe(const Surface& surface) {
   const double hole = steps_emptied_by(surface.levelling);
   seen.full =
       cells_of(seen.spectrum, leaked, {.empty_steps = hole, .most_leakage = 1.0, .faintest = 0.0});
+  seen.square = cells_of(
+      seen.spectrum, leaked,
+      {.empty_steps = hole, .reach = std::numbers::sqrt2, .most_leakage = 1.0, .faintest = 0.0});
   seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe_reach});
   seen.coarse = cells_of(seen.spectrum, leaked,
                          {.empty_steps = hole,
@@ -115,7 +119,7 @@ Observation observe(const Surface& surface) {
     throw Error("wrinkle fit: the map is flat; there is nothing to fit");
   }
   // A cell that is empty to rounding has no logarithm.
-  for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {
+  for (auto* cells : {&seen.coarse, &seen.fine, &seen.full, &seen.square}) {
     for (Cell& cell : *cells) cell.power = std::max(cell.power, 1e-25 * highest);
   }
   return seen;

@@ -13,8 +13,9 @@ namespace hada {
 struct Observation {
   Spectrum spectrum;
   std::vector<Cell> coarse;
-  std::vector<Cell> fine;  // to where aliases may begin
-  std::vector<Cell> full;  // to the Nyquist frequency
+  std::vector<Cell> fine;    // to where aliases may begin
+  std::vector<Cell> full;    // to the Nyquist frequency
+  std::vector<Cell> square;  // to the corners, where fx and fy are both Nyquist's
   std::vector<std::string> remarks;
 };
 

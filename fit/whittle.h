@@ -124,15 +124,21 @@ class CellResiduals {
   OfPower of_power_;
 };
 
+/// By how much the logarithm of the mean of `n` exponential numbers falls short of that of their
+/// expectation, on average; the next term is of the fourth order.
+inline double bias_of_log_mean(double n) {
+  return 1.0 / (2.0 * n) + 1.0 / (12.0 * n * n);
+}
+
 /// Forgiving log ratios, for starts that are far away.
 inline auto log_ratios(const std::vector<Cell>& cells, double independence) {
   return CellResiduals(cells, [independence](const Cell& cell, const auto& model) {
     using std::log;
     constexpr double cauchy_scale = 3.0;  // deviations beyond which a cell loses its say
     const double n = cell.count;
-    const double bias = 1.0 / (2.0 * n) + 1.0 / (12.0 * n * n);  // of the log of a mean of n
-    return softened(std::sqrt(independence * n) * (std::log(cell.power) + bias - log(model)),
-                    cauchy_scale);
+    return softened(
+        std::sqrt(independence * n) * (std::log(cell.power) + bias_of_log_mean(n) - log(model)),
+        cauchy_scale);
   });
 }
 

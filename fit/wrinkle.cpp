@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fit/closest_wrinkle.h"
 #include "fit/goodness.h"
 #include "fit/observe.h"
 #include "fit/sampling.h"
@@ -22,18 +23,6 @@ constexpr int most_groups = 4;           // of starts that are worth the whole s
 constexpr double visible_floor = 0.3;    // share of the lowest power
 constexpr double most_worse = 1.2;       // than before may a refined fit explain the first cells
 constexpr int fewest_per_field = 5;      // cells, so that a refinement has something to go by
-
-/// The same wrinkles as everyone would write them: long >= short, long components first.
-Wrinkle<> canonical(Wrinkle<> wrinkle) {
-  for (auto& component : wrinkle.components) {
-    if (component.long_mm >= component.short_mm) continue;
-    std::swap(component.long_mm, component.short_mm);
-    component.angle_rad += 0.5 * std::numbers::pi;
-  }
-  std::stable_sort(wrinkle.components.begin(), wrinkle.components.end(),
-                   [](const auto& a, const auto& b) { return a.long_mm > b.long_mm; });
-  return wrapped(wrinkle);
-}
 
 double half_sum_of_squares(const Wrinkle<>& wrinkle, std::size_t count, const auto& residual) {
   std::vector<double> r(count);
@@ -195,6 +184,17 @@ double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
 
 }  // namespace
 
+Wrinkle<> canonical(Wrinkle<> wrinkle) {
+  for (auto& component : wrinkle.components) {
+    if (component.long_mm >= component.short_mm) continue;
+    std::swap(component.long_mm, component.short_mm);
+    component.angle_rad += 0.5 * std::numbers::pi;
+  }
+  std::stable_sort(wrinkle.components.begin(), wrinkle.components.end(),
+                   [](const auto& a, const auto& b) { return a.long_mm > b.long_mm; });
+  return wrapped(wrinkle);
+}
+
 Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options) {
   const Observation seen = observe(surface);
   const int starts = std::max(options.starts, 6);
@@ -211,6 +211,9 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
     best = std::move(fit);
   }
   refine(best, seen);
+  const bool picture = !surface.has_height();
+  if (picture && best.goodness_p < least_goodness)
+    best = closest_wrinkle(seen, best, options.components);
   best.remarks = seen.remarks;
   for (auto& remark : remarks_on(best)) best.remarks.push_back(std::move(remark));
   return best;

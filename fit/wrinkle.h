@@ -15,10 +15,15 @@ struct WrinkleFitOptions {
   int starts = 8;           // at least 6
 };
 
+/// The same wrinkles as everyone would write them: long >= short, long components first, angles in
+/// [0, pi).
+Wrinkle<> canonical(Wrinkle<> wrinkle);
+
 /// The wrinkle noise whose spectrum agrees best with that of the height of `surface`.
 ///
 /// Whittle likelihood over cells of the tapered periodogram, started from its rings and sectors,
-/// bounded, the best of several starts; sigma from the Fisher information.
+/// bounded, the best of several starts; sigma from the Fisher information. A picture without height
+/// whose spectrum is no wrinkle noise's gets the nearest by `closest_wrinkle`.
 ///
 /// throws  Error if the surface has no height, or its mask is smaller than 32 x 32 pixels
 ///

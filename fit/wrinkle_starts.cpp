@@ -104,16 +104,15 @@ WrinkleComponent<> component_at(double frequency, double density, const Directio
           .angle_rad = direction.angle_rad};
 }
 
-/// The fields of a start, moved inside their bounds.
-Wrinkle<> bounded(Wrinkle<> wrinkle) {
+}  // namespace
+
+Wrinkle<> within_bounds(Wrinkle<> wrinkle) {
   visit_fields(wrinkle, [](const std::string&, const auto& field, double& value) {
     if (field.scale == Scale::log)
       value = std::clamp(value, std::max(field.low, 1e-15 * field.high), field.high);
   });
   return wrinkle;
 }
-
-}  // namespace
 
 std::vector<Wrinkle<>> wrinkle_starts(const Spectrum& spectrum, int components, int starts) {
   const Profile profile = profile_of(spectrum);
@@ -141,7 +140,7 @@ std::vector<Wrinkle<>> wrinkle_starts(const Spectrum& spectrum, int components, 
       wrinkle.components.push_back(
           component_at(frequency, profile.density[at], direction_at(frequency, rank)));
     }
-    result.push_back(bounded(wrinkle));
+    result.push_back(within_bounds(wrinkle));
   }
   return result;
 }
@@ -186,7 +185,7 @@ Wrinkle<> with_one_more(const Wrinkle<>& wrinkle, const std::vector<Cell>& cells
   Wrinkle<> more = wrinkle;
   more.components.push_back(component_at(
       frequency, density, {half_turn(0.5 * std::arg(mean) + pi / 2), axis_ratio(mean)}));
-  return bounded(more);
+  return within_bounds(more);
 }
 
 }  // namespace hada

@@ -15,6 +15,9 @@ namespace hada {
 /// the rings and sectors there: the long axis lies across the sector of most power.
 std::vector<Wrinkle<>> wrinkle_starts(const Spectrum& spectrum, int components, int starts);
 
+/// A start with its fields moved inside their bounds.
+Wrinkle<> within_bounds(Wrinkle<> wrinkle);
+
 /// `wrinkle` with one more noise function where `cells` hold more power than `model` explains.
 Wrinkle<> with_one_more(const Wrinkle<>& wrinkle, const std::vector<Cell>& cells,
                         const std::vector<double>& model);

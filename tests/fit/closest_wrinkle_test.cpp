@@ -1,0 +1,75 @@
+#include "fit/closest_wrinkle.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fit/wrinkle.h"
+#include "synth/gaussian_field.h"
+
+namespace hada {
+namespace {
+
+// Scales without a size of their own, drawn out along x: no sum of Gaussian kernels.
+double fractal_psd(double fx, double fy) {
+  return 1e-3 / std::pow(0.04 + 4.0 * fx * fx + fy * fy, 1.3);
+}
+
+Surface fractal_picture(Seed seed) {
+  // Cut from a larger field: it does not tile.
+  const Extent world{.rows = 400, .cols = 400, .pitch = 0.1, .unit = Unit::mm};
+  Surface surface;
+  surface.extent = {.rows = 256, .cols = 256, .pitch = 0.1, .unit = Unit::mm};
+  surface.mask = full_mask(surface.extent);
+  surface.albedo = Image(crop(gaussian_field(fractal_psd, world, seed), 0, 0, 256, 256));
+  return surface;
+}
+
+/// Mean and root mean square over the plane of how far the model is from the truth, in dB.
+std::pair<double, double> distance_db(const Wrinkle<>& wrinkle) {
+  double sum = 0.0, squares = 0.0;
+  int count = 0;
+  for (double fy = -4.95; fy < 5.0; fy += 0.1) {
+    for (double fx = 0.05; fx < 5.0; fx += 0.1) {
+      const double db = 10.0 * std::log10(psd(wrinkle, fx, fy) / fractal_psd(fx, fy));
+      sum += db;
+      squares += db * db;
+      ++count;
+    }
+  }
+  return {sum / count, std::sqrt(squares / count)};
+}
+
+TEST(ClosestWrinkle, ComesNearASpectrumThatIsNoWrinkles) {
+  const auto fit = fit_wrinkle(fractal_picture(3));
+  EXPECT_GE(fit.material.components.size(), 3u);
+  const auto [bias, rms] = distance_db(fit.material);
+  // Five Gaussian curves over two decades are one for each factor of 2.5: a sum of such, fitted to
+  // a power law of this slope, undulates by 0.5 dB. Twice that, since the data are one realisation.
+  EXPECT_LT(rms, 1.0);
+  EXPECT_LT(std::abs(bias), 0.3);
+}
+
+TEST(ClosestWrinkle, IsUnsureOfWhatExplainsBadly) {
+  const auto surface = fractal_picture(4);
+  const auto observed = observe(surface);
+  Fit<Wrinkle<>> one;
+  const auto fit = closest_wrinkle(observed, one, 1);
+  ASSERT_EQ(fit.material.components.size(), 1u);
+  // A tenth of the scatter of 256 x 256 / 2 ordinates would be 0.1 %.
+  EXPECT_GT(fit.sigma.components[0].amplitude_mm, 0.005 * fit.material.components[0].amplitude_mm);
+}
+
+TEST(ClosestWrinkle, LeavesWrinklesAlone) {
+  Wrinkle<> truth;
+  truth.components = {{.amplitude_mm = 0.1, .long_mm = 0.6, .short_mm = 0.3, .angle_rad = 0.4}};
+  Surface surface = fractal_picture(5);
+  surface.albedo = Image(gaussian_field(spectrum_of(truth), surface.extent, 6));
+  const auto fit = fit_wrinkle(surface, {.components = 1});
+  // 256 x 256 pixels hold about 1000 waves of this size: its length is known to 2 %, times 4.
+  EXPECT_NEAR(fit.material.components[0].long_mm, 0.6, 0.05);
+  EXPECT_GT(fit.goodness_p, 1e-3);
+}
+
+}  // namespace
+}  // namespace hada
