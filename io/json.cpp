@@ -43,7 +43,13 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
          std::to_string(std::max<std::ptrdiff_t>(1, end - line_start));
 }
 
-Json parsed(const std::string& text, const std::string& where) {
+std::string quoted(const std::string& key) {
+  return Json(key).dump();
+}
+
+}  // namespace
+
+Json parsed_json(const std::string& text, const std::string& where) {
   try {
     Watch watch(where);
     return Json::parse(text, [&](int depth, Json::parse_event_t event, Json& value) {
@@ -56,12 +62,6 @@ Json parsed(const std::string& text, const std::string& where) {
     throw Error(where + ": holds a number that is too large; write a finite one");
   }
 }
-
-std::string quoted(const std::string& key) {
-  return Json(key).dump();
-}
-
-}  // namespace
 
 std::string text_of_file(const fs::path& path) {
   std::error_code problem;
@@ -79,19 +79,22 @@ std::string text_of_file(const fs::path& path) {
 }
 
 Json read_plain_json(const fs::path& path) {
-  return parsed(text_of_file(path), path.string());
+  return parsed_json(text_of_file(path), path.string());
 }
 
 Json read_json(const fs::path& path, const std::string& kind) {
-  Json json = parsed(text_of_file(path), path.string());
+  return json_of_kind(text_of_file(path), path.string(), kind);
+}
+
+Json json_of_kind(const std::string& text, const std::string& where, const std::string& kind) {
+  Json json = parsed_json(text, where);
   const auto stated = json.is_object() ? json.find("hada") : json.end();
   if (!json.is_object() || stated == json.end() || !stated->is_string()) {
-    throw Error(path.string() +
-                ": does not say what it is; begin it with \"hada\": " + quoted(kind));
+    throw Error(where + ": does not say what it is; begin it with \"hada\": " + quoted(kind));
   }
   if (*stated != kind) {
-    throw Error(path.string() + ": is a file of kind " + stated->dump() + "; one of kind " +
-                quoted(kind) + " is needed");
+    throw Error(where + ": is a file of kind " + stated->dump() + "; one of kind " + quoted(kind) +
+                " is needed");
   }
   json.erase("hada");
   return json;

@@ -22,6 +22,12 @@ using Json = nlohmann::ordered_json;
 /// throws  Error naming the file if it is missing, is not JSON, or is of another kind or schema
 Json read_json(const std::filesystem::path& path, const std::string& kind);
 
+/// The same of a text that came another way; `where` names it in errors.
+Json json_of_kind(const std::string& text, const std::string& where, const std::string& kind);
+
+/// Any JSON text; as strict about its form.
+Json parsed_json(const std::string& text, const std::string& where);
+
 /// The JSON file of another program, whatever it holds; as strict about its form.
 Json read_plain_json(const std::filesystem::path& path);
 

@@ -13,7 +13,10 @@
 #include "sheet/crease.h"
 #include "sheet/flaps.h"
 #include "sheet/layers.h"
+#include "sheet/places.h"
+#include "sheet/pointer.h"
 #include "sheet/simulate.h"
+#include "sheet/swing.h"
 
 namespace hada {
 namespace {
@@ -22,12 +25,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double tolerance = 1e-9;
-
-// A line on the flat sheet that waits for the others: alone it may end inside a face.
-struct DrawnLine {
-  Vector2d from, to;
-  Crease crease;
-};
 
 // Opens the sheet and puts lines on it; where one lies on an older one it takes its place.
 void draw(Sheet& sheet, const std::vector<DrawnLine>& lines, const std::string& where) {
@@ -235,45 +232,102 @@ void turn_over(FoldState& state, const FoldStep& step) {
   for (Vector3d& p : state.sheet.folded) p = {2.0 * step.from.x() - p.x(), p.y(), -p.z()};
 }
 
+// The faces that hold places of the flat sheet.
+std::vector<int> faces_at(const Sheet& sheet, const std::vector<Vector2d>& places,
+                          const std::string& where) {
+  std::vector<int> faces;
+  for (const Vector2d& place : places) {
+    faces.push_back(face_at(sheet, place));
+    if (faces.back() < 0) throw Error(where + ": a place lies beside the paper");
+  }
+  return faces;
+}
+
+void score(FoldState& state, const FoldStep& step, const std::string& where) {
+  const FoldStroke& stroke = step.stroke;
+  std::vector<bool> chosen;
+  if (!step.faces.empty()) chosen.assign(std::size_t(state.sheet.faces()), false);
+  for (const int face : faces_at(state.sheet, step.faces, where)) chosen[std::size_t(face)] = true;
+  const int before = state.sheet.faces();
+  const CreaseCut cut =
+      drawn_cut({stroke.eye, stroke.from - stroke.eye}, {stroke.eye, stroke.to - stroke.eye});
+  const auto creases = insert_crease(state.sheet, state.sheet.folded, cut, Crease::flat, chosen);
+  if (creases.empty()) throw Error(where + ": the line crosses no face from side to side");
+  split_orders(state, before);
+}
+
+void swing_face(FoldState& state, const FoldStep& step, const std::string& where) {
+  Swing swing;
+  swing.face = faces_at(state.sheet, {step.from}, where)[0];
+  double nearest = 1e300;
+  for (const int h : state.sheet.halves_of(swing.face)) {
+    const Vector2d &a = state.sheet.flat[std::size_t(state.sheet.origin(h))],
+                   &b = state.sheet.flat[std::size_t(state.sheet.target(h))];
+    const double share = std::clamp((step.to - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    const double off = (a + share * (b - a) - step.to).norm();
+    if (off >= nearest) continue;
+    nearest = off;
+    swing.axis = h / 2;
+  }
+  swing.angle = step.degrees * std::numbers::pi / 180.0;
+  swing.all = step.layers == 0;
+  swing.with = faces_at(state.sheet, step.faces, where);
+  swing.pinned = faces_at(state.sheet, step.pins, where);
+  if (step.hasty) {
+    swing.most_steps = 3;
+    swing.strain = 1e-3;
+  }
+  state.sheet = swung(std::move(state.sheet), swing, where);
+  state.flat = false;
+}
+
 }  // namespace
 
+FoldState folded_on(FoldState state, const FoldStep& step, const std::string& where) {
+  const bool draws = step.action == FoldAction::crease || step.action == FoldAction::fold;
+  if (!draws && !state.waiting.empty()) {
+    draw(state.sheet, state.waiting, where);
+    state.waiting.clear();
+  }
+  switch (step.action) {
+    case FoldAction::crease:
+      state.waiting.push_back({step.from, step.to, Crease::flat});
+      break;
+    case FoldAction::fold:
+      state.waiting.push_back({step.from, step.to, step.crease});
+      break;
+    case FoldAction::flatten:
+      flatten(state, where);
+      break;
+    case FoldAction::through:
+      fold_through(state, step, where);
+      break;
+    case FoldAction::turn:
+      turn_layers(state, step, where);
+      break;
+    case FoldAction::squash:
+      squash(state, step);
+      break;
+    case FoldAction::over:
+      turn_over(state, step);
+      break;
+    case FoldAction::score:
+      score(state, step, where);
+      break;
+    case FoldAction::swing:
+      swing_face(state, step, where);
+      break;
+  }
+  return state;
+}
+
 std::vector<FoldState> replayed(const FoldLog& log) {
-  FoldState state;
-  state.sheet = square_sheet(log.side);
-  std::vector<FoldState> states{state};
-  std::vector<DrawnLine> drawn;
+  FoldState square;
+  square.sheet = square_sheet(log.side);
+  std::vector<FoldState> states{std::move(square)};
   for (std::size_t i = 0; i < log.steps.size(); ++i) {
-    const FoldStep& step = log.steps[i];
     const std::string where = log.title + ": step " + std::to_string(i + 1);
-    const bool draws = step.action == FoldAction::crease || step.action == FoldAction::fold;
-    if (!draws && !drawn.empty()) {
-      draw(state.sheet, drawn, where);
-      drawn.clear();
-    }
-    switch (step.action) {
-      case FoldAction::crease:
-        drawn.push_back({step.from, step.to, Crease::flat});
-        break;
-      case FoldAction::fold:
-        drawn.push_back({step.from, step.to, step.crease});
-        break;
-      case FoldAction::flatten:
-        flatten(state, where);
-        break;
-      case FoldAction::through:
-        fold_through(state, step, where);
-        break;
-      case FoldAction::turn:
-        turn_layers(state, step, where);
-        break;
-      case FoldAction::squash:
-        squash(state, step);
-        break;
-      case FoldAction::over:
-        turn_over(state, step);
-        break;
-    }
-    states.push_back(state);
+    states.push_back(folded_on(states.back(), log.steps[i], where));
   }
   return states;
 }

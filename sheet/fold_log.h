@@ -20,6 +20,16 @@ enum class FoldAction {
             // or the flap on top or at the bottom alone
   squash,   // presses the sheet towards the ground to `share` of its height, then lets it relax
   over,     // turns the whole sheet over, about the upright line through `from`
+  score,    // a crease on the sheet as it lies, seen along a stroke; not folded yet
+  swing,    // turns the face that is held at `from` by `degrees` about its crease at `to`, both
+            // places on the flat sheet; what hangs on it follows
+};
+
+/// A line drawn on the sheet as it is seen: from where, and two places on the lines of sight.
+struct FoldStroke {
+  Eigen::Vector3d eye{0.0, 0.0, 0.0};
+  Eigen::Vector3d from{0.0, 0.0, 0.0};
+  Eigen::Vector3d to{0.0, 0.0, 0.0};
 };
 
 /// One step of a log. Lines are on the flat sheet, or seen from above on the folded one.
@@ -28,10 +38,16 @@ struct FoldStep {
   Eigen::Vector2d from{0.0, 0.0};
   Eigen::Vector2d to{0.0, 0.0};
   Crease crease = Crease::unassigned;  // of `fold`
-  double degrees = 180.0;              // of `turn`, towards the viewer > 0
+  double degrees = 180.0;              // of `turn` and `swing`, towards the viewer > 0
   int layers = 0;                      // that `turn` takes: 0 all, 1 the top flap, -1 the bottom
   double share = 0.1;                  // of `squash`
-  std::string note;                    // what a person would say of it
+  FoldStroke stroke = {};              // of `score`
+  std::vector<Eigen::Vector2d> faces = {};  // places on the flat sheet: `score` creases these faces
+                                            // alone, with `swing` the flaps that hold them turn
+                                            // too; of `swing` none: all that lie on each other
+  std::vector<Eigen::Vector2d> pins = {};   // places of faces that `swing` leaves where they are
+  bool hasty = false;  // of `swing`, while a hand moves: strains up to 1e-3 will do; not in files
+  std::string note;    // what a person would say of it
 };
 
 /// A square sheet and all that was done to it. Undo is a replay without the last step.
@@ -41,12 +57,24 @@ struct FoldLog {
   std::vector<FoldStep> steps;
 };
 
+/// A line on the flat sheet that waits for the others: alone it may end inside a face.
+struct DrawnLine {
+  Eigen::Vector2d from, to;
+  Crease crease;
+};
+
 /// The sheet after a step.
 struct FoldState {
-  Sheet sheet;                   // `folded` is where it lies
-  std::vector<FaceOrder> order;  // of its layers
-  bool flat = true;              // all folds are open or shut
+  Sheet sheet;                     // `folded` is where it lies
+  std::vector<FaceOrder> order;    // of its layers
+  bool flat = true;                // all folds are open or shut
+  std::vector<DrawnLine> waiting;  // drawn, and put on the sheet with the next step that moves it
 };
+
+/// The state that a step leads to.
+///
+/// throws  Error with `where` if its line crosses no paper, the paper would tear or block itself
+FoldState folded_on(FoldState state, const FoldStep& step, const std::string& where);
 
 /// The states after each step, the square sheet first.
 ///

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -38,16 +37,15 @@ double distance(const Ray& ray, const Vector3d& place) {
 
 }  // namespace
 
-std::optional<Hit> hit(const Sheet& sheet, const Ray& ray) {
-  std::optional<Hit> best;
-  double nearest = std::numeric_limits<double>::infinity();
+std::vector<Hit> hits(const Sheet& sheet, const Ray& ray) {
+  std::vector<std::pair<double, Hit>> found;
   for (int f = 0; f < sheet.faces(); ++f) {
     const Vector3d normal = normal_of(sheet, f);
     const auto corners = sheet.corners_of(f);
     const double towards = normal.dot(ray.way);
     if (std::abs(towards) < 1e-12 * ray.way.norm()) continue;
     const double far = normal.dot(at(sheet, corners[0]) - ray.eye) / towards;
-    if (far <= 0.0 || far >= nearest) continue;
+    if (far <= 0.0) continue;
     const Vector3d place = ray.eye + far * ray.way;
     bool inside = true;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -55,11 +53,18 @@ std::optional<Hit> hit(const Sheet& sheet, const Ray& ray) {
       const Vector3d& b = at(sheet, corners[(i + 1) % corners.size()]);
       inside = inside && normal.dot((b - a).cross(place - a)) >= 0.0;
     }
-    if (!inside) continue;
-    nearest = far;
-    best = Hit{f, place};
+    if (inside) found.push_back({far, Hit{f, place}});
   }
-  return best;
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Hit> places;
+  for (const auto& [far, hit] : found) places.push_back(hit);
+  return places;
+}
+
+std::optional<Hit> hit(const Sheet& sheet, const Ray& ray) {
+  const auto found = hits(sheet, ray);
+  return found.empty() ? std::nullopt : std::optional<Hit>(found.front());
 }
 
 CreaseCut drawn_cut(const Ray& from, const Ray& to, double tolerance) {

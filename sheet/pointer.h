@@ -25,6 +25,8 @@ struct Hit {
   Eigen::Vector3d place;
 };
 std::optional<Hit> hit(const Sheet& sheet, const Ray& ray);
+/// Where it meets all its faces, the nearest first.
+std::vector<Hit> hits(const Sheet& sheet, const Ray& ray);
 
 /// The triangle that is swept by the rays of a drag from `from` to `to`: what it crosses is
 /// creased.

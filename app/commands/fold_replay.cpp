@@ -6,6 +6,7 @@
 #include "app/draw/sheet_picture.h"
 #include "app/files.h"
 #include "app/fold_log_file.h"
+#include "app/fold_model.h"
 #include "app/sheet_mesh.h"
 #include "core/error.h"
 #include "io/fold_file.h"
@@ -14,16 +15,6 @@
 #include "sheet/fold_log.h"
 
 namespace hada {
-namespace {
-
-FoldFrame frame_of(const FoldState& state) {
-  FoldFrame frame = folded_frame(state.sheet);
-  frame.face_orders = state.order;
-  return frame;
-}
-
-}  // namespace
-
 void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& terminal) {
   FoldLog log = read_fold_log(arguments.input);
   if (arguments.steps >= 0 && arguments.steps < int(log.steps.size())) {
@@ -33,15 +24,13 @@ void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& t
   const auto states = replayed(log);
   const FoldState& last = states.back();
   Output output(arguments.out);
-  FoldFile file;
-  file.title = log.title;
-  file.frames = {frame_of(last), flat_frame(last.sheet)};
+  const FoldFile file = fold_model(log.title, last);
   put_text(output, "model.fold", fold_text(file));
   write_mesh(output, "model.obj", mesh_of(file.frames[0]));
   const SheetView view{arguments.roll_deg, arguments.turn_deg, arguments.tilt_deg, 480};
   put_picture(output, "model.png", sheet_picture(file.frames[0], view));
   for (std::size_t i = 0; arguments.frames && i < states.size(); ++i) {
-    put_picture(output, fmt::format("step_{:02}.png", i), sheet_picture(frame_of(states[i]), view));
+    put_picture(output, fmt::format("step_{:02}.png", i), sheet_picture(fold_model("", states[i]).frames[0], view));
   }
   output.commit();
   const auto crossing = crossing_faces(last.sheet);
