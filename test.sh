@@ -43,7 +43,7 @@ tests() {
 build() { cmake --preset "$1" > /dev/null && cmake --build --preset "$1"; }
 
 formatted() {
-  find . \( -path './build*' -o -path './out*' \) -prune -o \( -name '*.h' -o -name '*.cpp' \) -print0 |
+  find . \( -path './build*' -o -path './out*' -o -name node_modules \) -prune -o \( -name '*.h' -o -name '*.cpp' \) -print0 |
     xargs -0 clang-format --dry-run -Werror
 }
 

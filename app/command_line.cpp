@@ -267,7 +267,7 @@ std::string sentence(std::string text) {
 
 }  // namespace
 
-Request parse_command_line(int count, const char* const* words) {
+Request parse_command_line(int count, const char* const* words, void (*more)(Commands&)) {
   Request request;
   Commands commands(request);
   add_all_steps(commands);
@@ -275,6 +275,7 @@ Request parse_command_line(int count, const char* const* words) {
   add_modelling(commands);
   add_virtual(commands);
   add_folding(commands);
+  if (more) more(commands);
   try {
     commands.app().parse(count, words);
   } catch (const CLI::CallForHelp&) {

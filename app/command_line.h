@@ -15,7 +15,10 @@ struct Request {
   int threads = 0;  // 0: as many as there are cores
 };
 
+class Commands;
+
+/// more    declares commands of rooms that this one may not know
 /// throws  Error in one sentence for anything that is not a command of this program
-Request parse_command_line(int count, const char* const* words);
+Request parse_command_line(int count, const char* const* words, void (*more)(Commands&) = nullptr);
 
 }  // namespace hada

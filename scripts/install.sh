@@ -4,8 +4,8 @@ set -euo pipefail
 
 build=(cmake ninja-build ccache mold g++ libeigen3-dev libopencv-core-dev libopencv-imgproc-dev
   libceres-dev libopenimageio-dev openimageio-tools libcli11-dev nlohmann-json3-dev libfmt-dev
-  libtinygltf-dev)
-test=(clang clang-format libclang-rt-14-dev libgtest-dev libgmock-dev librapidcheck-dev)
+  libtinygltf-dev libcpp-httplib-dev nodejs npm)
+test=(clang clang-format libclang-rt-14-dev libgtest-dev libgmock-dev librapidcheck-dev chromium)
 
 wanted=("${build[@]}")
 if [[ ${1:-build} == test ]]; then wanted+=("${test[@]}"); fi

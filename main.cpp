@@ -8,11 +8,12 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/output.h"
+#include "studio/studio.h"
 
 namespace {
 
 void answer(int count, const char* const* words) {
-  const hada::Request request = hada::parse_command_line(count, words);
+  const hada::Request request = hada::parse_command_line(count, words, hada::add_studio);
   if (request.work) {
     hada::set_threads(request.threads);
     request.work(hada::Terminal(request.manner));

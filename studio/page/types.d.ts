@@ -1,0 +1,62 @@
+// What the server says; docs/studio.md describes it.
+
+type Place = [number, number, number];
+type FlatPlace = [number, number];
+
+interface Piles {
+  level: number[];
+  up: number[];
+}
+
+interface Shape {
+  vertices: number[];
+  faces: number[][];
+  piles: Piles;
+  strain: { most: number; faces: number[] };
+}
+
+interface FoldStep {
+  do: string;
+  note?: string;
+  degrees?: number;
+  layers?: string;
+}
+
+interface FoldState extends Shape {
+  title: string;
+  side: number;
+  at: number;
+  log: FoldStep[];
+  flat: boolean;
+  open: boolean;
+  crossing_pairs: number;
+  edges: { from: number; to: number; crease: string; degrees: number }[];
+  waiting: { from: FlatPlace; to: FlatPlace; crease: string }[];
+  pins: Place[];
+  chosen: number[];
+}
+
+interface Aim {
+  place: Place;
+  by: 'vertex' | 'crossing' | 'division' | 'direction' | 'paper' | 'ground';
+  face: number;
+  guides: [Place, Place][];
+  points: Place[];
+}
+
+interface Grip {
+  face: number;
+  axis: [Place, Place];
+  click: Place;
+  centre: Place;
+  turn_view: boolean;
+}
+
+interface Drag extends Shape {
+  degrees: number;
+}
+
+interface Ray {
+  eye: Place;
+  way: Place;
+}
