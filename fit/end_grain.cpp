@@ -89,9 +89,15 @@ class Refinement {
     const double reach = std::max(reach_scatters * shape_.scatter, reach_px * extent_.pitch);
     auto rings =
         edges_of_rings(ring_radii(flat_, extent_.pitch), edges_, flat_, reach, extent_.pitch);
+    std::erase_if(rings, [](const RingChain& ring) { return ring.empty(); });
+    const auto chains = ring_chains(edges_, extent_.pitch);
+    for (RingChain& ring : wandering_rings(rings, chains, flat_, reach, extent_.pitch))
+      rings.push_back(std::move(ring));
+    std::stable_sort(rings.begin(), rings.end(), [](const RingChain& a, const RingChain& b) {
+      return radius_of(a) < radius_of(b);
+    });
     seen_share_.clear();
     std::erase_if(rings, [&](const RingChain& ring) {
-      if (ring.empty()) return true;
       const double share = double(ring.size()) / std::max(1, sectors_at(flat_, ring.front().rho));
       if (share >= least_seen) seen_share_.push_back(std::min(share, 1.0));
       return share < least_seen;

@@ -13,6 +13,7 @@ constexpr double blur_px = 1.0;       // of the slopes that are summed over sect
 constexpr double small_rise = 0.08;   // of the spread of the profile: noise
 constexpr double smallest_px = 4.0;   // radius of a ring: below, it is the pith itself
 constexpr std::size_t cut_part = 10;  // of the sectors, one in so many is cut at each end
+constexpr double least_way = 0.5;     // around the pith, of a ring that wanders
 
 /// The mean slope over all sectors, column by column; the extreme ones are left out.
 std::vector<double> mean_slopes(const Unrolled& flat, double pitch) {
@@ -77,6 +78,45 @@ std::vector<RingChain> edges_of_rings(const std::vector<double>& radii,
     }
   }
   return rings;
+}
+
+double radius_of(const RingChain& ring) {
+  std::vector<double> radii;
+  for (const RingEdge& edge : ring) radii.push_back(edge.rho);
+  return median(std::move(radii));
+}
+
+std::vector<RingChain> wandering_rings(const std::vector<RingChain>& rings,
+                                       const std::vector<RingChain>& chains, const Unrolled& flat,
+                                       double reach, double pitch) {
+  std::vector<double> radii, of_chain;
+  for (const RingChain& ring : rings) radii.push_back(radius_of(ring));
+  for (const RingChain& chain : chains) of_chain.push_back(radius_of(chain));
+  std::vector<RingChain> found;
+  for (std::size_t k = 1; k < radii.size(); ++k) {
+    std::vector<const RingChain*> between;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      if (of_chain[c] > radii[k - 1] + reach && of_chain[c] < radii[k] - reach)
+        between.push_back(&chains[c]);
+    }
+    std::stable_sort(between.begin(), between.end(),
+                     [](const auto* a, const auto* b) { return a->size() > b->size(); });
+    std::vector<bool> taken(flat.theta.size(), false);  // a ring passes a sector once
+    RingChain ring;
+    for (const RingChain* chain : between) {
+      if (std::any_of(chain->begin(), chain->end(),
+                      [&](const RingEdge& edge) { return taken[std::size_t(edge.sector)]; }))
+        continue;
+      for (const RingEdge& edge : *chain) {
+        taken[std::size_t(edge.sector)] = true;
+        ring.push_back(middle_of_rise(edge, flat, pitch));
+      }
+    }
+    if (ring.empty()) continue;
+    if (double(ring.size()) >= least_way * sectors_at(flat, radius_of(ring)))
+      found.push_back(std::move(ring));
+  }
+  return found;
 }
 
 int sectors_at(const Unrolled& flat, double rho) {

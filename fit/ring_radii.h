@@ -17,6 +17,19 @@ std::vector<RingChain> edges_of_rings(const std::vector<double>& radii,
                                       const std::vector<std::vector<RingEdge>>& edges,
                                       const Unrolled& flat, double reach, double pitch);
 
+/// Rings that wander too far in and out to show where all sectors are looked at together: between
+/// two neighbours of `rings`, pieces that lie more than `reach` away from both and that together go
+/// half the way around or further.
+///
+/// rings   of all sectors, rising; none is empty
+/// chains  pieces of rings of the same sectors
+std::vector<RingChain> wandering_rings(const std::vector<RingChain>& rings,
+                                       const std::vector<RingChain>& chains, const Unrolled& flat,
+                                       double reach, double pitch);
+
+/// The middle radius of a ring's edges.
+double radius_of(const RingChain& ring);
+
 /// How many sectors of `flat` see the wood at this effective radius.
 int sectors_at(const Unrolled& flat, double rho);
 
