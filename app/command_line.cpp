@@ -275,6 +275,7 @@ Request parse_command_line(int count, const char* const* words, void (*more)(Com
   add_modelling(commands);
   add_virtual(commands);
   add_folding(commands);
+  add_knitting(commands);
   if (more) more(commands);
   try {
     commands.app().parse(count, words);

@@ -92,4 +92,7 @@ CLI::Option* add_out(CLI::App& command, Arguments& a, const std::string& words) 
 /// Declares `hada fold` and what it can do.
 void add_folding(Commands& commands);
 
+/// Declares `hada knit` and what it can do.
+void add_knitting(Commands& commands);
+
 }  // namespace hada

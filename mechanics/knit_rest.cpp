@@ -78,15 +78,16 @@ KnitAtRest knit_at_rest(const KnitNet& net, Places start, const KnitRestOptions&
     KnitSprings next_springs = springs_of(net, next);
     Places next_load = pulls(net, next_springs);
     const double after = norm_of(next_load);
-    if (!(after <= uphill * before)) {
+    rest.last_step = longest(way) / net.wale_length;
+    // A step that is too short to matter ends the search, even if rounding made it lead uphill.
+    rest.settled = drag == 0.0 && rest.last_step < options.tolerance;
+    if (!rest.settled && !(after <= uphill * before)) {
       drag = drag == 0.0 ? first_drag : 4.0 * drag;
       continue;
     }
     rest.places = std::move(next);
     springs = std::move(next_springs);
     load = std::move(next_load);
-    rest.last_step = longest(way) / net.wale_length;
-    rest.settled = drag == 0.0 && rest.last_step < options.tolerance;
     drag *= std::min(after / before, 0.7);
     if (drag < least_drag) drag = 0.0;
   }

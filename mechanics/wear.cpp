@@ -40,7 +40,7 @@ Span span_of(const Body& body, const WearOptions& options) {
     span.from = bottom + 0.05 * (top - bottom);
     span.to = top - 0.05 * (top - bottom);
   }
-  if (span.from < bottom || span.to > top || span.from >= span.to) {
+  if (!(span.from >= bottom && span.to <= top && span.from < span.to)) {
     throw Error(
         "the knit must be drawn from a lower to a higher place of the body, which reaches "
         "from " +
@@ -237,13 +237,13 @@ WornKnit worn(const Body& body, const WearOptions& options) {
     auto next_at = slid(body, at, way, share);
     KnitSprings next_springs = springs_of(net, smooth_places(body, next_at));
     Sliding next = sliding(body, net, next_springs, next_at, options.friction);
-    if (!(next.norm <= uphill * now.norm)) {
-      drag = drag == 0.0 ? first_drag : 4.0 * drag;
-      continue;
-    }
     result.last_step = length / net.wale_length;
     result.settled = (drag == 0.0 && result.last_step < options.tolerance) ||
                      (rough && next.largest < still * largest_tension(springs));
+    if (!result.settled && !(next.norm <= uphill * now.norm)) {
+      drag = drag == 0.0 ? first_drag : 4.0 * drag;
+      continue;
+    }
     drag *= std::min(next.norm / now.norm, 0.5);
     if (drag < least_drag) drag = 0.0;
     if (rough) drag = std::max(drag, rough_drag);

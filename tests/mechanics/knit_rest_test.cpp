@@ -37,6 +37,13 @@ TEST(KnitRest, TakesFewStepsWhateverTheSize) {
   EXPECT_LE(knit_at_rest(knit.net, knit.start).steps, 5);
 }
 
+TEST(KnitRest, SettlesWhereOnlyRoundingIsLeft) {
+  const auto knit = pulled(net_of(10, 10), KnitPull::course, KnitClamp::uniform, 1.2);
+  const auto rest = knit_at_rest(knit.net, knit.start);
+  EXPECT_TRUE(rest.settled);
+  EXPECT_TRUE(knit_at_rest(knit.net, rest.places).settled);
+}
+
 TEST(KnitRest, SaysThatItHasNotSettled) {
   const auto knit = pulled(net_of(10, 10), KnitPull::wale, KnitClamp::three_points, 1.5);
   EXPECT_FALSE(knit_at_rest(knit.net, knit.start, {.most_steps = 2}).settled);

@@ -1,0 +1,46 @@
+#include "mechanics/worn_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace hada {
+
+std::vector<double> densities(const WornKnit& knit) {
+  std::vector<double> map;
+  for (const double area : knit.area_mm2) map.push_back(1.0 / std::max(area, 1e-300));
+  return map;
+}
+
+std::vector<double> pressures(const WornKnit& knit) {
+  std::vector<double> map;
+  for (std::size_t i = 0; i < knit.press.size(); ++i) {
+    map.push_back(knit.press[i] / std::max(knit.area_mm2[i], 1e-300));
+  }
+  return map;
+}
+
+double see_through(double wale_mm, double course_mm, double radius_mm, const Eigen::Vector3d& along,
+                   const Eigen::Vector3d& up, const Eigen::Vector3d& normal,
+                   const Eigen::Vector3d& view) {
+  const double facing = std::abs(normal.dot(view));
+  // Lines a distance apart on a tilted plane look that far apart times area over length as seen.
+  const auto gap = [&](double distance, const Eigen::Vector3d& yarn) {
+    const double seen = distance * facing / std::max(view.cross(yarn).norm(), 1e-12);
+    return std::max(0.0, 1.0 - 2.0 * radius_mm / std::max(seen, 1e-300));
+  };
+  return gap(wale_mm, up) * gap(course_mm, along);
+}
+
+std::vector<double> transmittances(const WornKnit& knit, double radius_mm) {
+  std::vector<double> map;
+  for (std::size_t i = 0; i < knit.places.size(); ++i) {
+    map.push_back(see_through(knit.wale_mm[i], knit.course_mm[i], radius_mm,
+                              Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                              Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()));
+  }
+  return map;
+}
+
+}  // namespace hada

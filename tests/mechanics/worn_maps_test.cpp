@@ -1,0 +1,36 @@
+#include "mechanics/worn_maps.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace hada {
+namespace {
+
+using Eigen::Vector3d;
+
+double through(const Vector3d& view) {
+  return see_through(2.0, 1.0, 0.1, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ(), view);
+}
+
+TEST(WornMaps, LetLightThroughTheGapsOfAGrid) {
+  EXPECT_NEAR(through(Vector3d::UnitZ()), (1.0 - 0.2 / 2.0) * (1.0 - 0.2 / 1.0), 1e-15);
+}
+
+TEST(WornMaps, CloseTheGapsTowardsTheOutline) {
+  // Tilted by 60 degrees about the courses: they look half as far apart, the wales as before.
+  const Vector3d tilted(0.0, std::sin(M_PI / 3.0), 0.5);
+  EXPECT_NEAR(through(tilted), (1.0 - 0.2 / 2.0) * (1.0 - 0.2 / 0.5), 1e-12);
+  EXPECT_EQ(through(Vector3d(0.0, 1.0, 0.01).normalized()), 0.0);
+}
+
+TEST(WornMaps, CountStitchesAndPressOverTheirArea) {
+  WornKnit knit;
+  knit.places = {{0, 0, 0}};
+  knit.area_mm2 = {0.5}, knit.press = {3.0}, knit.wale_mm = {1.0}, knit.course_mm = {0.5};
+  EXPECT_EQ(densities(knit)[0], 2.0);
+  EXPECT_EQ(pressures(knit)[0], 6.0);
+  EXPECT_NEAR(transmittances(knit, 0.1)[0], 0.8 * 0.6, 1e-15);
+}
+
+}  // namespace
+}  // namespace hada
