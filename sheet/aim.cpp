@@ -54,14 +54,24 @@ void keep_near(std::vector<Stretch>& stretches, const Vector3d& place, double cl
   });
 }
 
-// The face that a pointer beside the paper may still mean: one with a snap within reach.
+// The face that a pointer beside the paper may still mean: one with a snap within reach; of those
+// that share it the one whose middle is nearest.
 int face_near(const Sheet& sheet, const Ray& ray, const AimOptions& options) {
   int best = -1;
-  double nearest = options.reach;
+  double nearest = options.reach, nearest_middle = 0.0;
   for (int f = 0; f < sheet.faces(); ++f) {
     const auto snap = snapped(sheet, f, ray, options.reach, options.edge_parts);
-    if (!snap || distance(ray, snap->place) >= nearest) continue;
-    nearest = distance(ray, snap->place);
+    if (!snap) continue;
+    const double off = distance(ray, snap->place), slack = 1e-6 * options.reach;
+    Vector3d middle = Vector3d::Zero();
+    const auto corners = sheet.corners_of(f);
+    for (const int v : corners) middle += at(sheet, v) / double(corners.size());
+    const double middle_off = distance(ray, middle);
+    const bool nearer = off < nearest - slack;
+    const bool alike = best >= 0 && off < nearest + slack && middle_off < nearest_middle;
+    if (!nearer && !alike) continue;
+    nearest = off;
+    nearest_middle = middle_off;
     best = f;
   }
   return best;
@@ -76,12 +86,33 @@ std::optional<Aim> free_place(const std::optional<Hit>& under, const Ray& ray,
     aim.face = under->face;
     return aim;
   }
-  const double ground = options.start ? options.start->place.z() : 0.0;
+  const double ground = options.start ? options.start->z() : 0.0;
   if (std::abs(ray.way.z()) < 1e-9 * ray.way.norm()) return std::nullopt;
   const double far = (ground - ray.eye.z()) / ray.way.z();
   if (far <= 0.0) return std::nullopt;
   aim.place = ray.eye + far * ray.way;
   return aim;
+}
+
+// The directions that divide the corners which all layers have at a place.
+std::vector<Stretch> directions_from(const Sheet& sheet, const Vector3d& place, int parts) {
+  constexpr double close = 1e-9;
+  std::vector<Stretch> directions;
+  for (int f = 0; f < sheet.faces(); ++f) {
+    const auto corners = sheet.corners_of(f);
+    const bool meets = std::any_of(corners.begin(), corners.end(),
+                                   [&](int v) { return (at(sheet, v) - place).norm() < close; });
+    if (!meets) continue;
+    for (const Stretch& guide : guides_of(sheet, f, parts)) {
+      if ((guide[0] - place).norm() > close) continue;
+      const Vector3d way = (guide[1] - guide[0]).normalized();
+      const bool known = std::any_of(directions.begin(), directions.end(), [&](const Stretch& d) {
+        return ((d[1] - d[0]).normalized() - way).norm() < close;
+      });
+      if (!known) directions.push_back(guide);
+    }
+  }
+  return directions;
 }
 
 }  // namespace
@@ -171,10 +202,9 @@ std::optional<Aim> aim(const Sheet& sheet, const Stack& stack, const Ray& ray,
     found.guides = std::move(stretches);
     return found;
   }
-  if (!options.start || options.start->face < 0) return result;
-  const Vector3d& from = options.start->place;
-  auto directions = guides_of(sheet, options.start->face, options.corner_parts);
-  std::erase_if(directions, [&](const Stretch& guide) { return (guide[0] - from).norm() > 1e-9; });
+  if (!options.start) return result;
+  const Vector3d& from = *options.start;
+  auto directions = directions_from(sheet, from, options.corner_parts);
   nearest = options.reach;
   for (const Stretch& guide : directions) {
     const auto place = nearest_on(from, guide[1] - from, ray);

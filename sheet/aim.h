@@ -21,18 +21,12 @@ std::vector<Stretch> guides_of(const Sheet& sheet, int face, int parts);
 /// The places where stretches that lie in one plane cross.
 std::vector<Eigen::Vector3d> crossings_of(const std::vector<Stretch>& stretches);
 
-/// Where a stroke began.
-struct StrokeStart {
-  Eigen::Vector3d place{0.0, 0.0, 0.0};
-  int face = -1;  // that it was seen on, or belongs to
-};
-
 struct AimOptions {
-  int edge_parts = 2;               // in which edges are divided
-  int corner_parts = 4;             // in which corners are
-  double reach = 0.02;              // of a snap, from the line of sight
-  std::vector<Stretch> lines = {};  // on the sheet that are no edges yet
-  std::optional<StrokeStart> start = {};
+  int edge_parts = 2;                         // in which edges are divided
+  int corner_parts = 4;                       // in which corners are
+  double reach = 0.02;                        // of a snap, from the line of sight
+  std::vector<Stretch> lines = {};            // on the sheet that are no edges yet
+  std::optional<Eigen::Vector3d> start = {};  // where the stroke began
 };
 
 /// What a pointer was drawn to.

@@ -42,12 +42,7 @@ AimOptions aim_options(JsonObject& object, const FoldSession& session) {
   options.edge_parts = parts(object, "edge_parts");
   options.corner_parts = parts(object, "corner_parts");
   options.reach = object.number("reach");
-  if (object.has("start")) {
-    JsonObject start = object.object("start");
-    options.start = StrokeStart{place(start, "place"), start.integer("face")};
-    start.finish();
-    if (options.start->face >= session.state().sheet.faces()) options.start->face = -1;
-  }
+  if (object.has("start")) options.start = place(object, "start");
   for (const DrawnLine& line : session.state().waiting) {
     options.lines.push_back(
         {Vector3d(line.from.x(), line.from.y(), 0.0), Vector3d(line.to.x(), line.to.y(), 0.0)});

@@ -47,7 +47,7 @@ TEST_F(AimOnASquare, FindsThePointsOfTheBirdBaseWhereGuidesCross) {
 }
 
 TEST_F(AimOnASquare, FollowsADirectionBeyondThePaper) {
-  options_.start = StrokeStart{{0.0, 0.0, 0.0}, 0};
+  options_.start = Vector3d(0.0, 0.0, 0.0);
   const double slope = std::tan(std::numbers::pi / 8.0);
   const Aim inside = at(0.3, 0.3 * slope + 0.01), outside = at(1.5, 1.5 * slope + 0.01);
   for (const Aim& found : {inside, outside}) {

@@ -47,7 +47,7 @@ class FoldRequests : public testing::Test {
 TEST_F(FoldRequests, DrawFoldTurnUndoAndExport) {
   const Json from = aim_at(0.51, 0.01);
   EXPECT_EQ(from["by"], "division");
-  const Json to = aim_at(0.52, 0.99, {{"start", {{"place", from["place"]}, {"face", 0}}}});
+  const Json to = aim_at(0.52, 0.99, {{"start", from["place"]}});
   EXPECT_EQ(to["place"], Json({0.5, 1.0, 0.0}));
   const Json stroke = {
       {"does", "score"}, {"eye", {0.5, 0.5, 3.0}}, {"from", from["place"]}, {"to", to["place"]}};

@@ -11,10 +11,13 @@ export class Eye {
     this.distance = 3;
   }
 
-  /** From above, the whole sheet in sight. @param {number} side */
-  overlook(side) {
+  /**
+   * From above, a whole sheet in sight.
+   * @param {number} x @param {number} y in the middle of the view @param {number} side
+   */
+  overlook(x, y, side) {
     this.turn.identity();
-    this.target.set(side / 2, side / 2, 0);
+    this.target.set(x, y, 0);
     this.distance = 3 * side;
     this.place();
   }

@@ -32,6 +32,7 @@ export function listen(view, to) {
 
   view.addEventListener('contextmenu', (event) => event.preventDefault());
   view.addEventListener('pointerdown', (event) => {
+    if (event.target instanceof Element && event.target.closest('button, label')) return;
     view.focus({ preventScroll: true });
     if (cross) to.cross((cross = null));
     view.setPointerCapture(event.pointerId);

@@ -19,9 +19,9 @@ class Room {
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color(0xe9e7e1);
     this.paper = new Paper();
-    const sun = new THREE.DirectionalLight(0xffffff, 1.6);
+    const sun = new THREE.DirectionalLight(0xffffff, 2.1);
     this.sun = sun;
-    this.scene.add(this.paper.group, new THREE.AmbientLight(0xffffff, 1.7), sun);
+    this.scene.add(this.paper.group, new THREE.AmbientLight(0xffffff, 1.25), sun);
     this.marks = new Marks(part('fold-marks'), (place) => this.project(place));
     this.steps = new Steps((state) => this.show(state), (shape) => this.showShape(shape));
     /** @type {FoldState | null} */
@@ -63,6 +63,7 @@ class Room {
       const [file] = part('fold-open').files;
       if (!file) return;
       this.show(await post('fold/log', JSON.parse(await file.text())));
+      this.overlook();
       part('fold-open').value = '';
     }));
     part('fold-strains').addEventListener('change', () => {
@@ -115,8 +116,14 @@ class Room {
     this.draw();
   }
 
+  /** From above, with the middle of the sheet as it lies in the middle of the view. */
   overlook() {
-    this.look(() => this.eye.overlook(this.state?.side ?? 1));
+    const places = this.state?.vertices ?? [0, 0, 0];
+    const middle = [0, 1].map((k) => {
+      const along = places.filter((_, i) => i % 3 === k);
+      return (Math.min(...along) + Math.max(...along)) / 2;
+    });
+    this.look(() => this.eye.overlook(middle[0], middle[1], this.state?.side ?? 1));
   }
 
   /** @param {() => void} change */
@@ -161,13 +168,12 @@ class Room {
 
   /** @param {Ray} ray @returns {Promise<Aim | null>} */
   aim(ray) {
-    const start = this.start && { place: this.start.aim.place, face: this.start.aim.face };
     return post('fold/aim', {
       ...ray,
       edge_parts: Number(part('fold-edge-parts').value),
       corner_parts: Number(part('fold-corner-parts').value),
       reach: reach * this.eye.pixel(this.view.clientHeight),
-      ...(start ? { start } : {}),
+      ...(this.start ? { start: this.start.aim.place } : {}),
     });
   }
 
@@ -220,9 +226,11 @@ class Room {
         const drag = /** @type {Drag} */ (await post('fold/drag', { ...ray, whole }));
         if (!this.marks.grip) return;
         this.marks.degrees = drag.degrees;
+        part('fold-facts').textContent = `turned by ${Number(drag.degrees.toFixed(1))}°`;
         this.showShape(drag);
       }
     });
+    this.moves.settled().then(() => (this.view.dataset.seen = `${Math.round(x)} ${Math.round(y)}`));
   }
 
   /** @param {number} x @param {number} y */

@@ -1,0 +1,104 @@
+// The boat and the crane are folded by a hand, and end as their recorded logs do.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { difference } from './fold_file.mjs';
+import { Hand } from './hand.mjs';
+import { expect, openStudio, pictures, program, sources } from './harness.mjs';
+
+const scratch = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
+const studio = await openStudio(sources);
+const { page } = studio;
+const hand = new Hand(page);
+const shot = (name) => page.screenshot({ path: path.join(pictures, `${name}.png`) });
+
+function recorded(name) {
+  const log = path.join(sources, 'data_synthetic/folds', `${name}.json`);
+  execFileSync(program, ['fold', 'replay', log, '-o', path.join(scratch, name), '--quiet']);
+  return {
+    model: JSON.parse(readFileSync(path.join(scratch, name, 'model.fold'), 'utf8')),
+    steps: JSON.parse(readFileSync(log, 'utf8')).steps,
+  };
+}
+
+async function endsAs(name) {
+  const model = await page.evaluate(async () => (await fetch('api/fold/export?as=fold')).json());
+  const differs = difference(model, recorded(name).model);
+  expect(differs === '', `the ${name} folded by hand is the recorded one: ${differs}`);
+  console.log(`${name}: ${model.faces_vertices.length} faces, as recorded`);
+}
+
+async function boat() {
+  await page.click('#fold-new');
+  await hand.look(false);
+  await hand.choose('line', 'through');
+  await hand.choose('side', 'left');
+  await hand.step([1, 0], [0, 1]);
+  await hand.parts(10, 4);
+  await hand.step([0.3, 1], [1, 0.3]);
+  await endsAs('boat');
+  await shot('boat');
+}
+
+async function crane() {
+  const { steps } = recorded('crane');
+  await page.click('#fold-new');
+  await hand.look(false);
+  await hand.parts(2, 4);
+  await hand.choose('line', 'fold');
+  for (const step of steps.slice(0, 14)) await hand.step(step.from, step.to);
+  await hand.move(...(await hand.at([0.2071, 0.5])));
+  await shot('pattern');
+  await page.click('#fold-flatten');
+  await hand.reached(15);
+  // The legs are narrowed along the directions that halve their tips.
+  await hand.choose('line', 'through');
+  await hand.parts(2, 2);
+  await hand.choose('side', 'right');
+  await hand.step([0, 0], [0.9, 0.9 * Math.tan((33.75 * Math.PI) / 180)], [9, -6]);
+  await hand.choose('side', 'left');
+  await hand.step([0, 0], [0.9 * Math.tan((33.75 * Math.PI) / 180), 0.9], [6, -9]);
+  await shot('bird');
+  // Neck, tail and head from division to division.
+  await hand.parts(7, 2);
+  for (const step of steps.slice(17, 19)) await hand.step(step.from, step.to);
+  await hand.parts(4, 2);
+  await hand.step(steps[19].from, steps[19].to);
+  // The wings turn about one axis, the second seen from behind.
+  await hand.parts(8, 2);
+  await hand.choose('line', 'axis');
+  await hand.stroke(steps[20].from, steps[20].to);
+  await hand.choose('layers', 'top');
+  await hand.turn([0.66, 0.66], 78);
+  await shot('wing');
+  await hand.look(true);
+  await hand.turn([0.66, 0.66], -78);
+  await endsAs('crane');
+}
+
+try {
+  await page.waitForSelector('#room-fold[data-at]');
+  await boat();
+  await crane();
+  await page.click('#fold-top');
+  await page.mouse.move(560, 350);
+  await page.mouse.down({ button: 'right' });
+  await page.mouse.move(480, 250, { steps: 4 });
+  await page.mouse.up({ button: 'right' });
+  await shot('crane');
+  // Every step can be undone and played again.
+  await page.keyboard.press('Control+z');
+  await hand.reached(21);
+  await page.click('#fold-redo');
+  await hand.reached(22);
+  await endsAs('crane');
+  expect(studio.faults.length === 0, `no fault in the page: ${studio.faults.join('; ')}`);
+} catch (error) {
+  await shot('failed');
+  console.error(error.message);
+  process.exitCode = 1;
+} finally {
+  await studio.close();
+  rmSync(scratch, { recursive: true });
+}
