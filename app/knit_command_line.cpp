@@ -80,6 +80,21 @@ void add_wear(Commands& commands, CLI::App& knit) {
       });
 }
 
+void add_stiffness(Commands& commands, CLI::App& knit) {
+  commands.add_to(
+      knit, "stiffness", "Find how stiff yarns are from crossings at two or more known stretches",
+      "hada knit stiffness out/pulled/crossings.json --load 2.5 -o stiffness.json",
+      knit_stiffness_command, [](CLI::App& command, KnitStiffnessArguments& a) {
+        command.add_option("crossings", a.crossings, "places of the crossings (JSON)")->required();
+        command
+            .add_option("--load", a.load_N,
+                        "on the clamps in the last state, N: tells stiffness in N/mm")
+            ->check(positive());
+        command.add_flag("--lengths-unknown", a.lengths_unknown, "find lengths at rest as well");
+        add_out(command, a, "file to write (default: stiffness.json)");
+      });
+}
+
 }  // namespace
 
 void add_knitting(Commands& commands) {
@@ -87,6 +102,7 @@ void add_knitting(Commands& commands) {
       commands.group("knit", "Pull, wear and calibrate plain knit", "hada knit wear -o out/worn");
   add_pull(commands, knit);
   add_wear(commands, knit);
+  add_stiffness(commands, knit);
 }
 
 }  // namespace hada

@@ -45,6 +45,7 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
 struct KnitStiffnessArguments {
   std::filesystem::path crossings;
   std::filesystem::path out = "stiffness.json";
+  bool lengths_unknown = false;  // at rest: found too
   std::optional<double> load_N;  // on the clamps in the last state
 };
 

@@ -34,10 +34,26 @@ TEST(Knit, IsWornOnTheShippedLeg) {
   }
 }
 
+TEST(Knit, IsCalibratedFromItsCrossings) {
+  const Scratch scratch;
+  const std::string out = (scratch / "pulled").string();
+  EXPECT_EQ(answer("knit pull --stretch 1.2 1.5 --clamp three-points --noise 0.02 -o " + out).code,
+            0);
+  const Answer said = answer("knit stiffness " + out + "/crossings.json --load 2.5 --json -o " +
+                             (scratch / "k.json").string());
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("\"nylon_N_per_mm\""));
+  EXPECT_THAT(text_of(scratch / "k.json"), HasSubstr("\"stiffness_ratio\""));
+}
+
 TEST(Knit, RefusesWhatItCannotDoInOneSentence) {
   const Scratch scratch;
   put(scratch / "flat.obj", "v 0 0 0\nv 0 9 0\nv 9 0 0\nv 9 9 0\nf 1 2 3\nf 2 4 3\n");
   const std::string flat = (scratch / "flat.obj").string();
+  put(scratch / "short.json",
+      R"({"hada": "knit_crossings/1", "courses": 3, "wales": 3, "wale_mm": 1, "course_mm": 1,
+          "clamp": "uniform", "repeat": [0, 1],
+          "states": [{"along": "wale", "stretch": 1.2, "places_mm": [[0, 0]]}]})");
   const std::vector<std::string> bad{
       "knit wear " + flat,     "knit wear nothing.obj",      "knit wear --from 600 --to 100",
       "knit wear --from nan",  "knit wear --courses 1",      "knit wear --girth -1",
@@ -51,7 +67,7 @@ TEST(Knit, RefusesWhatItCannotDoInOneSentence) {
 }
 
 TEST(Knit, ShowsAnExampleOfEachCommand) {
-  for (const char* name : {"pull", "wear"}) {
+  for (const char* name : {"pull", "wear", "stiffness"}) {
     EXPECT_THAT(answer(std::string("knit ") + name + " --help").out,
                 HasSubstr("Example:\n  hada knit " + std::string(name)));
   }

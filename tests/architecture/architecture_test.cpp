@@ -27,7 +27,7 @@ const std::map<std::string, Names> rooms_for = {
     {"mechanics", {"core"}},
     {"sheet", {"core", "mechanics"}},
     {"synth", {"core", "mechanics", "sheet"}},
-    {"fit", {"core", "measure", "synth"}},
+    {"fit", {"core", "measure", "mechanics", "synth"}},
     {"app",
      {"core", "io", "capture", "reconstruct", "measure", "mechanics", "sheet", "synth", "fit"}},
     {"studio",
