@@ -19,6 +19,7 @@
 #include "bench/process.h"
 #include "bench/results_fold.h"
 #include "bench/results_forged.h"
+#include "bench/results_knit.h"
 #include "bench/results_page.h"
 #include "bench/results_wood.h"
 #include "bench/results_wrinkle.h"
@@ -312,6 +313,7 @@ int main(int argc, char** argv) {
       {"wrinkle", hada::wrinkle_results},
       {"fold", hada::fold_results},
       {"forged", hada::forged_results},
+      {"knit", [] { return hada::knit_results(hada::data_folder()); }},
       {"wood", [] { return hada::wood_results(hada::data_folder()); }}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");
