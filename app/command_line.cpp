@@ -185,6 +185,12 @@ void add_modelling(Commands& commands) {
                  add_pitch(command, a);
                  command.add_option("--seed", a.seed,
                                     "of the surface (default: of the file, or 1)");
+                 command
+                     .add_option("--at", a.at,
+                                 "cut a window around this place out of a surface without end, "
+                                 "instead of a surface that tiles")
+                     ->type_name("X Y")
+                     ->expected(2);
                  add_out(command, a, "surface folder to write")->required();
                });
   commands.add("contact", "Put what material files describe side by side",

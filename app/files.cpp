@@ -11,7 +11,7 @@
 namespace hada {
 namespace {
 
-constexpr int longest_preview = 8192;  // px: browsers show pictures up to here
+constexpr int longest_preview = 2048;  // px: more than a screen shows
 
 }  // namespace
 

@@ -180,6 +180,7 @@ OIIO::ImageSpec spec_of(const PictureShape& shape, ImageModule::Storage storage)
   OIIO::ImageSpec spec(shape.cols, shape.rows, shape.channels, type_of(storage));
   if (shape.channels == 1) spec.channelnames = {"Y"};
   spec.attribute("compression", "zip");
+  spec.attribute("png:compressionLevel", 1);          // three times as fast, a tenth larger
   spec.attribute("DateTime", "1970:01:01 00:00:00");  // else TIFF remembers the time of writing
   return spec;
 }

@@ -78,4 +78,11 @@ Surface surface_of(const Wood<>& wood, const Extent& extent, Seed seed) {
   return surface;
 }
 
+Wood<> with_cut_moved(Wood<> wood, const std::array<double, 2>& by) {
+  const Cut cut = cut_of(wood);
+  for (std::size_t k = 0; k < 3; ++k)
+    wood.cut_origin_mm[k] = cut.origin[k] + by[0] * cut.right[k] + by[1] * cut.up[k];
+  return wood;
+}
+
 }  // namespace hada

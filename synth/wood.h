@@ -73,6 +73,10 @@ struct Wood {
 /// throws  Error if cut_right and cut_up do not span a plane
 Surface surface_of(const Wood<>& wood, const Extent& extent, Seed seed);
 
+/// The same stem, the centre of its cut moved within the plane: by[0] mm along x of the picture,
+/// by[1] along y.
+Wood<> with_cut_moved(Wood<> wood, const std::array<double, 2>& by);
+
 }  // namespace hada
 
 #include "synth/wood_fields.h"

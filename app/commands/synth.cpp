@@ -50,9 +50,13 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
   const Seed seed = arguments.seed.value_or(file.seed.value_or(1));
   terminal.step("making " + size_text(extent) + " pixels of " +
                 std::string(name_of(file.material)));
-  const Surface surface = synthesize(file.material, extent, seed);
+  const Surface surface =
+      arguments.at.empty()
+          ? synthesize(file.material, extent, seed)
+          : synthesize_window(file.material, extent, {arguments.at[0], arguments.at[1]}, seed);
 
-  const Json notes = {{"material", name_of(file.material)}, {"seed", seed}, {"version", version()}};
+  Json notes = {{"material", name_of(file.material)}, {"seed", seed}, {"version", version()}};
+  if (!arguments.at.empty()) notes["window_middle"] = arguments.at;
   Output output(arguments.out);
   write_surface(output, "", surface, notes.dump(1));
   put_previews(output, "", surface);

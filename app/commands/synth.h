@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/terminal.h"
 #include "core/random.h"
@@ -15,6 +16,7 @@ struct SynthArguments {
   std::string size_px;             // "512x384"; empty: that of the fitted surface, else 512x512
   std::optional<double> pitch_mm;  // absent: that of the fitted surface, else 0.1
   std::optional<Seed> seed;        // absent: that of the file, else 1
+  std::vector<double> at;  // middle of a window of an endless surface; empty: one that tiles
 };
 
 /// Makes more of the surface that a material file describes.

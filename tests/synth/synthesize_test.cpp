@@ -34,5 +34,37 @@ TEST(Synthesize, RefusesASurfaceWithoutPixelsOrPitch) {
   EXPECT_THROW(synthesize(Wrinkle<>{}, {64, 64, std::nan(""), Unit::mm}, 1), Error);
 }
 
+// What a window shows of the part that another shows too, 16 columns to its right.
+void expect_same_where_they_overlap(const Material& material, double tolerance) {
+  const Extent window{48, 64, 0.2, Unit::mm};
+  const Surface here = synthesize_window(material, window, {1.0, 2.0}, 4);
+  const Surface right = synthesize_window(material, window, {1.0 + 16 * 0.2, 2.0}, 4);
+  for (int row = 0; row < 48; ++row) {
+    for (int col = 16; col < 64; ++col) {
+      ASSERT_NEAR(here.albedo.planes[0](row, col), right.albedo.planes[0](row, col - 16),
+                  tolerance);
+      if (!here.has_height()) continue;
+      ASSERT_NEAR(here.height(row, col), right.height(row, col - 16), tolerance);
+      ASSERT_NEAR((here.normals(row, col) - right.normals(row, col - 16)).norm(), 0.0, tolerance);
+    }
+  }
+}
+
+TEST(SynthesizeWindow, ShowsOneSheetOfWrinkles) {
+  expect_same_where_they_overlap(Wrinkle<>{}, 2e-5);
+}
+
+TEST(SynthesizeWindow, ShowsOneCutOfWood) {
+  Wood<> wood;
+  wood.fluctuation = 0.05;
+  wood.vessel_density_per_mm2 = 2.0;
+  expect_same_where_they_overlap(wood, 1e-4);
+}
+
+TEST(SynthesizeWindow, RefusesWhatIsMadeAsAWhole) {
+  EXPECT_THROW(synthesize_window(Knit<>{}, {48, 64, 0.2, Unit::mm}, {0.0, 0.0}, 1), Error);
+  EXPECT_THROW(synthesize_window(Wrinkle<>{}, {48, 64, 0.2, Unit::mm}, {0.0, NAN}, 1), Error);
+}
+
 }  // namespace
 }  // namespace hada
