@@ -13,18 +13,19 @@ namespace {
 struct Bin {
   double sum = 0.0;
   double sum_of_squares = 0.0;
-  int count = 0;
+  double count = 0.0;
 
-  void add(double power, int times) {
-    sum += times * power;
-    sum_of_squares += times * power * power;
-    count += times;
+  /// `share` of an ordinate falls into this one.
+  void add(double power, int times, double share = 1.0) {
+    sum += times * share * power;
+    sum_of_squares += times * share * share * power * power;
+    count += times * share;
   }
-  double density() const { return count > 0 ? sum / count : 0.0; }
+  double density() const { return count > 0.0 ? sum / count : 0.0; }
   /// An ordinate is exponentially distributed, so that its variance is half its mean square; it
   /// comes twice (at f and at -f), and a taper leaves the part `independence` of the ordinates.
   double sigma(double independence) const {
-    return count > 0 ? std::sqrt(sum_of_squares / independence) / count : 0.0;
+    return count > 0.0 ? std::sqrt(sum_of_squares / independence) / count : 0.0;
   }
 };
 
@@ -54,7 +55,7 @@ void append(Summary& summary, const Bin& bin, const Spectrum& spectrum) {
   summary.power.push_back(bin.sum / area);
   summary.density.push_back(bin.density());
   summary.sigma.push_back(bin.sigma(spectrum.independence));
-  summary.count.push_back(bin.count);
+  summary.count.push_back(int(std::lround(bin.count)));
 }
 
 }  // namespace
@@ -78,10 +79,17 @@ Rings rings(const Spectrum& spectrum, int count) {
 Sectors sectors(const Spectrum& spectrum, int count, double low, double high) {
   std::vector<Bin> bins(std::size_t(std::max(count, 1)));
   const double width = std::numbers::pi / double(bins.size());
+  const double step = 1.0 / std::sqrt(spectrum.extent.width() * spectrum.extent.height());
   visit_ordinates(spectrum, [&](double fx, double fy, double radius, double power, int times) {
     if (radius < low || radius >= high) return;
     const double angle = half_turn(std::atan2(fy, fx));
-    bins[std::min(std::size_t(angle / width), bins.size() - 1)].add(power, times);
+    const double half = std::min(0.5 * step / radius, 0.25 * std::numbers::pi);
+    const double from = (angle - half) / width, to = (angle + half) / width;
+    for (int k = int(std::floor(from)); k < to; ++k) {
+      const double share = (std::min(to, k + 1.0) - std::max(from, double(k))) / (to - from);
+      const int n = int(bins.size());
+      bins[std::size_t((k % n + n) % n)].add(power, times, share);
+    }
   });
   Sectors result;
   for (std::size_t k = 0; k < bins.size(); ++k) {

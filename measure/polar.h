@@ -22,7 +22,7 @@ struct Sectors {
   std::vector<double> power;    // share of the variance in the sector, unit^2
   std::vector<double> density;  // mean power spectral density in the sector, unit^4
   std::vector<double> sigma;    // standard error of `density`
-  std::vector<int> count;
+  std::vector<int> count;       // ordinates in the sector, shares added up
 };
 
 /// Rings [R, R + dR) up to the Nyquist frequency; fewer than `count` where a ring would be thinner
@@ -30,7 +30,9 @@ struct Sectors {
 Rings rings(const Spectrum& spectrum, int count = 64);
 
 /// Sectors [theta, theta + dtheta), of the frequencies from `low` to below `high` (cycles per unit)
-/// within the Nyquist circle, frequency 0 left out. Source: Kiso et al., section 5.2, fig. 7b.
+/// within the Nyquist circle, frequency 0 left out. An ordinate is as wide as the step to the next:
+/// near frequency 0, where that is wider than a sector, its power goes to all that it covers, each
+/// by its share. Source: Kiso et al., section 5.2, fig. 7b.
 Sectors sectors(const Spectrum& spectrum, int count = 36, double low = 0.0, double high = HUGE_VAL);
 
 /// Indices of local maxima (cyclic for sectors), the highest first, at most `most`.
