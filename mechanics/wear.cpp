@@ -17,6 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double longest_slide = 0.3;  // of a step, over the girth of the tube at rest
+constexpr int worth_halving = 128;     // stitches each way
 constexpr double exactness = 5e-2;     // of a step
 constexpr double uphill = 1.5;
 constexpr double first_drag = 0.1;  // over the stiffness of nylon, once a step has failed
@@ -194,6 +195,33 @@ void describe(WornKnit& worn, const KnitSprings& springs) {
   }
 }
 
+// Where the points begin. Without friction the way does not matter: a tube of half as many stitches
+// settles much sooner, and those between its own are nearly at rest.
+std::vector<MeshPlace> beginning(const Body& body, const WearOptions& o, const Span& span,
+                                 std::vector<MeshPlace> even) {
+  if (o.friction > 0.0 || std::min(o.courses, o.wales) < worth_halving) return even;
+  WearOptions half = o;
+  half.courses = o.courses / 2, half.wales = o.wales / 2;
+  half.from_mm = span.from, half.to_mm = span.to;
+  const WornKnit coarse = worn(body, half);
+  if (!coarse.settled) return even;
+  for_each_index(o.courses - 2, [&](int inner) {
+    const double y = (inner + 1.0) * (half.courses - 1.0) / (o.courses - 1.0);
+    const int row = std::min(int(y), half.courses - 2);
+    for (int wale = 0; wale < o.wales; ++wale) {
+      const double x = double(wale) * half.wales / o.wales;
+      const int col = int(x), next = (col + 1) % half.wales;
+      const auto at = [&](int r, int c) { return coarse.places[std::size_t(r * half.wales + c)]; };
+      const double u = x - col, v = y - row;
+      const Vector3d place = (1.0 - v) * ((1.0 - u) * at(row, col) + u * at(row, next)) +
+                             v * ((1.0 - u) * at(row + 1, col) + u * at(row + 1, next));
+      even[std::size_t((inner + 1) * o.wales + wale)] =
+          body.tree().closest(place, coarse.triangles[std::size_t(row * half.wales + col)]);
+    }
+  });
+  return even;
+}
+
 void check(const WearOptions& o) {
   if (o.courses < 3 || o.wales < 3 || o.axis < 0 || o.axis > 2 || !(o.girth > 0.0) ||
       !(o.length > 0.0) || !(o.ratio > 0.0) || o.repeat.empty() || !(o.friction >= 0.0)) {
@@ -217,6 +245,7 @@ WornKnit worn(const Body& body, const WearOptions& options) {
   net.course_length = options.length * (span.to - span.from) / (options.courses - 1);
   net.stiffness = stiffness_of_courses(options.courses, options.ratio, options.repeat);
   net.continuity = options.continuity;
+  at = beginning(body, options, span, std::move(at));
   net.pinned.assign(at.size(), false);
   std::fill_n(net.pinned.begin(), net.wales, true);
   std::fill_n(net.pinned.rbegin(), net.wales, true);

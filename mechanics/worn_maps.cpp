@@ -13,10 +13,19 @@ std::vector<double> densities(const WornKnit& knit) {
   return map;
 }
 
-std::vector<double> pressures(const WornKnit& knit) {
+std::vector<double> pressures(const WornKnit& knit, int repeat) {
+  const int courses = knit.net.courses, wales = knit.net.wales;
   std::vector<double> map;
-  for (std::size_t i = 0; i < knit.press.size(); ++i) {
-    map.push_back(knit.press[i] / std::max(knit.area_mm2[i], 1e-300));
+  for (int i = 0; i < courses * wales; ++i) {
+    double force = 0.0, area = 0.0;
+    // An even repeat is centred by counting its outermost courses by half.
+    for (int step = -(repeat / 2); step <= repeat / 2; ++step) {
+      const int course = std::clamp(i / wales + step, 0, courses - 1);
+      const double weight = repeat % 2 == 0 && 2 * std::abs(step) == repeat ? 0.5 : 1.0;
+      const auto p = std::size_t(course * wales + i % wales);
+      force += weight * knit.press[p], area += weight * knit.area_mm2[p];
+    }
+    map.push_back(force / std::max(area, 1e-300));
   }
   return map;
 }

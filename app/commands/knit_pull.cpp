@@ -49,6 +49,10 @@ void knit_pull_command(const KnitPullArguments& arguments, const Terminal& termi
     if (arguments.as_the_paper) {
       const auto motion = knit_motion(knit.net, knit.start);
       places = motion.places, steps = int(motion.motion.size());
+      // On the way, as figure 8 of the paper shows it.
+      for (const int on_the_way : {0, 10, 30}) {
+        pictured.push_back(knit_motion(knit.net, knit.start, {.most_steps = on_the_way}).places);
+      }
     } else {
       const auto rest = knit_at_rest(knit.net, knit.start);
       if (!rest.settled) {

@@ -90,7 +90,7 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
   const double radius =
       arguments.yarn_radius_mm > 0.0 ? arguments.yarn_radius_mm : 0.1 * median(knit.wale_mm);
   const auto density = densities(knit), light = transmittances(knit, radius);
-  auto pressure = pressures(knit);
+  auto pressure = pressures(knit, int(options.repeat.size()));
   const std::string unit = arguments.nylon_N_per_mm ? "kPa" : "k/mm";
   for (double& value : pressure) value *= 1e3 * arguments.nylon_N_per_mm.value_or(1e-3);
 

@@ -24,11 +24,14 @@ TEST(WornMaps, CloseTheGapsTowardsTheOutline) {
 }
 
 TEST(WornMaps, CountStitchesAndPressOverTheirArea) {
-  WornKnit knit;
-  knit.places = {{0, 0, 0}};
-  knit.area_mm2 = {0.5}, knit.press = {3.0}, knit.wale_mm = {1.0}, knit.course_mm = {0.5};
+  WornKnit knit;  // five courses of one point; soft ones press by 1, stiff ones by 3
+  knit.net.courses = 5, knit.net.wales = 1;
+  knit.places.assign(5, {0, 0, 0});
+  knit.area_mm2.assign(5, 0.5), knit.press = {1.0, 3.0, 1.0, 3.0, 1.0};
+  knit.wale_mm.assign(5, 1.0), knit.course_mm.assign(5, 0.5);
   EXPECT_EQ(densities(knit)[0], 2.0);
-  EXPECT_EQ(pressures(knit)[0], 6.0);
+  EXPECT_EQ(pressures(knit, 1)[1], 6.0);
+  for (const int inside : {1, 2, 3}) EXPECT_EQ(pressures(knit, 2)[std::size_t(inside)], 4.0);
   EXPECT_NEAR(transmittances(knit, 0.1)[0], 0.8 * 0.6, 1e-15);
 }
 
