@@ -88,8 +88,12 @@ Material material_named(const std::string& name) {
 }
 
 MaterialFile read_material(const std::filesystem::path& path) {
-  const Json json = read_json(path, "material/1");
-  JsonObject object(json, path.string());
+  return material_of(text_of_file(path), path.string());
+}
+
+MaterialFile material_of(const std::string& text, const std::string& where) {
+  const Json json = json_of_kind(text, where, "material/1");
+  JsonObject object(json, where);
   MaterialFile file;
   file.material = parameters_of(object.text("material"), object.object("parameters"));
   file.unit = unit_of(object);

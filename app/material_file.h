@@ -48,6 +48,9 @@ struct MaterialFile {
 ///         values outside their bounds
 MaterialFile read_material(const std::filesystem::path& path);
 
+/// The same of a text that came another way; `where` names it in errors.
+MaterialFile material_of(const std::string& text, const std::string& where);
+
 std::string material_text(const MaterialFile& file);
 
 /// 16 hexadecimal digits that change with any bit of the values (FNV-1a over their bytes).

@@ -43,4 +43,13 @@ std::string text_within(const fs::path& folder, const std::string& name) {
   return text_of_file(place);
 }
 
+std::string without_folder(const fs::path& folder, std::string sentence) {
+  for (const std::string& part : {folder.string() + "/", folder.string()}) {
+    for (auto at = sentence.find(part); at != std::string::npos; at = sentence.find(part)) {
+      sentence.erase(at, part.size());
+    }
+  }
+  return sentence;
+}
+
 }  // namespace hada

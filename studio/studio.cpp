@@ -6,12 +6,15 @@
 #include "studio/fold_api.h"
 #include "studio/gate.h"
 #include "studio/http.h"
+#include "studio/material_api.h"
 #include "studio/page.h"
+#include "studio/surface_api.h"
 
 namespace hada {
 
 struct Studio::Inside {
-  explicit Inside(const std::filesystem::path& folder) : fold(folder) {}
+  explicit Inside(const std::filesystem::path& folder)
+      : fold(folder), material(folder), surface(folder) {}
 
   HttpResponse answer(const HttpRequest& request) {
     std::string path = path_within(gate, request);
@@ -30,6 +33,8 @@ struct Studio::Inside {
     const std::string room = path.substr(0, slash),
                       verb = path.substr(std::min(slash + 1, path.size()));
     if (room == "fold") return fold.answer(verb, request);
+    if (room == "material") return material.answer(verb, request);
+    if (room == "surface") return surface.answer(verb, request);
     return told(404, "there is no such request");
   } catch (const Error& error) {
     return told(422, error.what());
@@ -39,6 +44,8 @@ struct Studio::Inside {
 
   Gate gate;
   FoldApi fold;
+  MaterialApi material;
+  SurfaceApi surface;
   std::unique_ptr<HttpServer> server;
 };
 

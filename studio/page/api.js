@@ -30,6 +30,19 @@ export async function post(what, body = {}) {
 }
 
 /**
+ * The same for an answer that is no JSON.
+ * @param {string} what
+ * @param {object} body
+ * @returns {Promise<ArrayBuffer>}
+ */
+export async function bytes(what, body) {
+  const headers = { 'Content-Type': 'application/json' };
+  const response = await fetch(`api/${what}`, { method: 'POST', headers, body: JSON.stringify(body) });
+  if (!response.ok) throw new Error((await response.json()).error);
+  return response.arrayBuffer();
+}
+
+/**
  * Calls `work` with the newest of what it is given, one call at a time: a pointer moves faster than
  * any server answers.
  * @template T

@@ -9,6 +9,11 @@ set(HADA_PAGE_FILES
   fold/steps.js
   index.html
   main.js
+  materials/room.js
+  materials/sliders.js
   parts.js
   style.css
+  surface/maps.js
+  surface/room.js
+  surface/view.js
 )

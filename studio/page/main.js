@@ -1,9 +1,11 @@
 import { openFold } from './fold/room.js';
+import { openMaterials } from './materials/room.js';
 import { attempt, part } from './parts.js';
+import { openSurfaces } from './surface/room.js';
 
 // A room is begun when it is first seen.
 /** @type {Record<string, () => Promise<void>>} */
-const rooms = { fold: openFold };
+const rooms = { fold: openFold, material: openMaterials, surface: openSurfaces };
 const begun = new Set();
 
 /** @param {string} name */

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <string>
+
+#include "studio/http.h"
+
+namespace hada {
+
+/// What may be asked of materials: "api/material/..." of docs/studio.md.
+class MaterialApi {
+ public:
+  explicit MaterialApi(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// throws  Error in one sentence if it cannot be done
+  HttpResponse answer(const std::string& verb, const HttpRequest& request);
+
+ private:
+  std::filesystem::path folder_;
+  std::mutex busy_;  // one surface is made at a time
+};
+
+}  // namespace hada

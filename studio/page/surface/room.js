@@ -1,0 +1,54 @@
+// The surfaces and pictures of the folder, seen as maps and under a light.
+import { bytes, get } from '../api.js';
+import { attempt, make, part, say } from '../parts.js';
+import { Maps } from './maps.js';
+import { SurfaceView } from './view.js';
+
+/** @type {Record<string, string>} */
+const looks = { 0: 'under the light', 1: 'normals', 2: 'height', 3: 'albedo' };
+
+export async function openSurfaces() {
+  const view = new SurfaceView(part('surface-view'), (line) => (part('surface-under').textContent = line));
+  const look = part('surface-look');
+  look.addEventListener('change', () => view.set({ mode: Number(look.value) }));
+  for (const name of /** @type {const} */ (['exaggeration', 'gloss', 'roughness'])) {
+    const slider = part(`surface-${name}`);
+    slider.addEventListener('input', () => view.set({ [name]: Number(slider.value) }));
+  }
+  part('surface-whole').addEventListener('click', () => view.whole());
+
+  /** @param {string} name @param {HTMLElement} button */
+  const open = async (name, button) => {
+    part('surface-facts').textContent = `opening ${name}`;
+    const maps = new Maps(await bytes('surface/maps', { name }));
+    for (const other of part('surface-list').querySelectorAll('[aria-current]')) other.removeAttribute('aria-current');
+    button.setAttribute('aria-current', 'true');
+    // Only what the surface has can be looked at.
+    const there = { 0: true, 1: maps.normals, 2: maps.height, 3: maps.albedo };
+    look.replaceChildren(...Object.entries(there).filter(([, has]) => has)
+      .map(([value]) => make('option', { value }, looks[value])));
+    if (!maps.normals) look.value = '3';
+    view.set({ mode: Number(look.value) });
+    view.show(maps);
+    const size = `${(maps.cols * maps.pitch).toPrecision(4)} x ${(maps.rows * maps.pitch).toPrecision(4)} ${maps.unit}`;
+    const relief = maps.height ? `, height from ${maps.low.toPrecision(3)} to ${maps.high.toPrecision(3)} ${maps.unit}` : '';
+    part('surface-facts').textContent = `${maps.cols} x ${maps.rows} pixels, ${size}${relief}`;
+    part('room-surface').dataset.shown = name;
+    say('');
+  };
+
+  const list = async () => {
+    /** @type {{entries: {name: string, kind: string}[], all: boolean}} */
+    const { entries, all } = await get('surface/list');
+    const rows = entries.map(({ name, kind }) => {
+      const button = make('button', { type: 'button', class: 'step' }, name, make('small', {}, kind === 'surface' ? ' surface' : ''));
+      button.addEventListener('click', () => attempt(() => open(name, button)));
+      return make('li', {}, button);
+    });
+    part('surface-list').replaceChildren(...rows);
+    part('surface-none').hidden = rows.length > 0;
+    if (!all) say('The folder holds more; only the first are listed.');
+  };
+  part('surface-again').addEventListener('click', () => attempt(list));
+  await list();
+}

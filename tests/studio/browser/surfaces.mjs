@@ -1,0 +1,110 @@
+// Sliders change what a material looks like, the light changes what a surface looks like.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync, symlinkSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { expect, openStudio, pictures, program, sources } from './harness.mjs';
+
+const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
+const material = path.join(sources, 'data_synthetic/papers/recycled_55.json');
+execFileSync(program, ['synth', material, '--size', '400x400', '-o', path.join(folder, 'paper'), '--quiet']);
+symlinkSync('/etc', path.join(folder, 'elsewhere'));
+const studio = await openStudio(folder);
+const { page } = studio;
+const shot = (name) => page.screenshot({ path: path.join(pictures, `${name}.png`) });
+const seen = async (room) => {
+  await page.waitForTimeout(200); // the frame is drawn
+  return (await page.locator(`#${room}-view canvas`).screenshot()).toString('base64');
+};
+
+async function made(change) {
+  const count = async () => Number((await page.getAttribute('#room-material', 'data-made')) ?? 0);
+  const before = await count();
+  await change();
+  await page.waitForFunction((n) => Number(document.getElementById('room-material').dataset.made ?? 0) > n, before,
+    { polling: 20, timeout: 30000 });
+  return seen('material');
+}
+
+async function materials() {
+  const first = await made(() => page.click('#tab-material'));
+  const table = await page.evaluate(async () => (await fetch('api/material/tables')).json());
+  expect(table.materials.length >= 4, 'all materials are offered');
+  const again = await seen('material');
+  expect(first === again, 'what is not touched stays as it is');
+  const slider = page.locator('#material-fields input[type=range]').nth(1);
+  await slider.focus();
+  const changed = await made(() => page.keyboard.press('PageUp'));
+  expect(changed !== first, 'a slider, moved by a key, changes the preview');
+  for (const { name } of table.materials.slice(1)) {
+    await made(() => page.selectOption('#material-name', name));
+    // Every field of the table has a control of that name.
+    const fields = table.materials.find((m) => m.name === name).fields.map((field) => field.name);
+    for (const field of fields) {
+      expect((await page.locator(`#material-fields [data-field="${field}"]`).count()) > 0, `${name} has ${field}`);
+    }
+    await shot(`material_${name}`);
+  }
+  await page.selectOption('#material-name', 'forged');
+  const sequence = page.locator('#material-fields [data-field=sequence]');
+  await sequence.fill('nonsense');
+  await sequence.press('Enter');
+  await page.waitForFunction(() => document.getElementById('said').dataset.kind === 'error');
+}
+
+async function surfaces() {
+  await page.click('#tab-surface');
+  const names = await page.locator('#surface-list button').allTextContents();
+  expect(names.some((name) => name.startsWith('paper')), `the surface is listed: ${names}`);
+  expect(!names.some((name) => name.includes('elsewhere')), 'nothing behind a link is listed');
+  await page.click('#surface-list button');
+  await page.waitForSelector('#room-surface[data-shown]');
+  await page.fill('#surface-exaggeration', '8');
+  const box = await page.locator('#surface-view').boundingBox();
+  const lit = async (x, y) => {
+    await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + x * box.width + 2, box.y + y * box.height);
+    await page.mouse.up();
+    return seen('surface');
+  };
+  const left = await lit(0.3, 0.4);
+  const right = await lit(0.7, 0.6);
+  expect(left !== right, 'the light in the hand changes the picture');
+  expect(left === (await lit(0.3, 0.4)), 'the same light gives the same picture');
+  expect((await page.textContent('#surface-under')).includes('height'), 'the value under the pointer is told');
+  await shot('surface');
+  await page.selectOption('#surface-look', '2');
+  await seen('surface');
+  await shot('surface_height');
+}
+
+// Every control has a name, and the keyboard reaches it.
+async function accessible() {
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select, textarea, [role=application]')]
+      .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.length))
+      .map((e) => e.outerHTML));
+  expect(nameless.length === 0, `every control has a name: ${nameless.join(' ')}`);
+  const unreached = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select, textarea, [role=application]')]
+      .filter((e) => e.tabIndex < 0 && e.getAttribute('role') !== 'tab').map((e) => e.outerHTML));
+  expect(unreached.length === 0, `the keyboard reaches every control: ${unreached.join(' ')}`);
+}
+
+try {
+  await page.waitForSelector('#room-fold[data-at]');
+  await materials();
+  await surfaces();
+  await accessible();
+  const faults = studio.faults.filter((fault) => !fault.includes('422')); // the nonsense, as it should be
+  expect(faults.length === 0, `no fault in the page: ${faults.join('; ')}`);
+  console.log('materials, surfaces and names as they should be');
+} catch (error) {
+  await shot('failed_surfaces');
+  console.error(error.message);
+  process.exitCode = 1;
+} finally {
+  await studio.close();
+  rmSync(folder, { recursive: true });
+}

@@ -1,0 +1,73 @@
+#include <chrono>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/material_file.h"
+#include "io/json.h"
+#include "tests/app/program.h"
+#include "tests/studio/client.h"
+
+namespace hada {
+namespace {
+
+using testing::HasSubstr;
+
+class MaterialRequests : public testing::Test {
+ protected:
+  Json tables() { return Json::parse(body_of(get(studio_, "api/material/tables")))["materials"]; }
+  static Json wanted(const Json& table, int size) {
+    return {
+        {"file",
+         {{"hada", "material/1"}, {"material", table["name"]}, {"parameters", table["defaults"]}}},
+        {"size_px", size},
+        {"pitch", 0.1},
+        {"seed", 1}};
+  }
+  RunningStudio studio_{HADA_SOURCE_DIR};
+};
+
+TEST_F(MaterialRequests, MakeEveryMaterialFromItsTable) {
+  for (const Json& table : tables()) {
+    const std::string answer = post(studio_, "api/material/preview", wanted(table, 64).dump());
+    ASSERT_EQ(status_of(answer), 200) << table["name"] << answer;
+    EXPECT_THAT(body_of(answer).substr(0, 4), "HADA");
+    const Json file = {{"file", wanted(table, 64)["file"]}};
+    const Json saved = Json::parse(body_of(post(studio_, "api/material/file", file.dump())));
+    const MaterialFile read = material_of(saved["text"].get<std::string>(), "saved");
+    EXPECT_EQ(name_of(read.material), table["name"].get<std::string>());
+  }
+}
+
+TEST_F(MaterialRequests, KeepToTheBounds) {
+  const Json table = tables()[0];
+  Json request = wanted(table, 64);
+  request["size_px"] = 100000;
+  EXPECT_THAT(post(studio_, "api/material/preview", request.dump()), HasSubstr("size_px"));
+  request = wanted(table, 64);
+  request["pitch"] = -1;
+  EXPECT_THAT(post(studio_, "api/material/preview", request.dump()), HasSubstr("pitch"));
+  request = wanted(table, 64);
+  request["file"]["parameters"]["floor_mm4"] = 1e9;
+  EXPECT_THAT(post(studio_, "api/material/preview", request.dump()), HasSubstr("must lie between"));
+  request["file"] = "text";
+  EXPECT_EQ(status_of(post(studio_, "api/material/preview", request.dump())), 422);
+}
+
+TEST_F(MaterialRequests, AnswerWhileASliderMoves) {
+  for (const Json& table : tables()) {
+    const std::string text = post_text(studio_, "api/material/preview", wanted(table, 512).dump());
+    double best = 1e9;
+    for (int i = 0; i < 3; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      EXPECT_EQ(status_of(answer_to(studio_, text)), 200);
+      best = std::min(
+          best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                    .count());
+    }
+    std::printf("%s 512 x 512: %.0f ms\n", table["name"].get<std::string>().c_str(), best);
+  }
+}
+
+}  // namespace
+}  // namespace hada
