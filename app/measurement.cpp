@@ -35,6 +35,23 @@ Json json_of(const Sectors& sectors) {
           {"count", sectors.count}};
 }
 
+Json json_of(const Histogram& histogram) {
+  return {{"low", histogram.low},
+          {"step", histogram.step},
+          {"density", histogram.density},
+          {"sigma", histogram.sigma}};
+}
+
+double mean_of(const Grid<float>& map, const Mask& mask) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!mask[i]) continue;
+    sum += map[i];
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
 Json json_of(const std::vector<Band>& bands) {
   Json json = Json::array();
   for (const Band& band : bands) {
@@ -79,6 +96,7 @@ Grid<float> measured_map(const Surface& surface) {
 
 Measurement measure(const Surface& surface) {
   constexpr int most_peaks = 4;
+  constexpr double spreads = 4.0;  // that a histogram reaches
   const Grid<float> map = measured_map(surface);
   Measurement m;
   m.quantity = surface.has_height() ? "height" : "brightness";
@@ -88,6 +106,13 @@ Measurement measure(const Surface& surface) {
   m.rings = rings(m.spectrum);
   m.sectors = sectors(m.spectrum);
   m.bands = bands(m.spectrum, map, surface.mask);
+  const Roughness& rough = m.roughness.value;
+  const double mean = mean_of(map, surface.mask);
+  m.values = histogram(map, surface.mask, mean - spreads * rough.Sq, mean + spreads * rough.Sq);
+  if (surface.has_height()) {
+    m.slopes = histogram(steepness(map, surface.mask, surface.extent.pitch), surface.mask, 0.0,
+                         spreads * rough.Sdq);
+  }
   m.ring_peaks = peaks(m.rings.power, most_peaks, false);
   m.sector_peaks = peaks(m.sectors.power, most_peaks, true);
   return m;
@@ -104,6 +129,8 @@ std::string measurement_text(const Measurement& m) {
                      {"rings", json_of(m.rings)},
                      {"sectors", json_of(m.sectors)},
                      {"bands", json_of(m.bands)},
+                     {"histogram", json_of(m.values)},
+                     {"slope_histogram", m.slopes ? json_of(*m.slopes) : Json()},
                      {"peaks", peaks_json(m)}};
   return json.dump(1) + "\n";
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/surface.h"
 #include "measure/bands.h"
+#include "measure/histogram.h"
 #include "measure/polar.h"
 #include "measure/roughness.h"
 #include "measure/spectrum.h"
@@ -21,6 +23,8 @@ struct Measurement {
   Rings rings;
   Sectors sectors;
   std::vector<Band> bands;
+  Histogram values;                 // of the quantity, 4 Sq about its mean
+  std::optional<Histogram> slopes;  // of the steepness of a height, up to 4 Sdq
   std::vector<int> ring_peaks;
   std::vector<int> sector_peaks;
 };

@@ -1,6 +1,7 @@
 #include "app/report/compare_page.h"
 
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -57,6 +58,36 @@ std::string ring_plot(const Comparison& c) {
                 .sigma = c.second.rings.sigma}});
 }
 
+std::string histogram_plot(const Histogram& first, const Histogram& second,
+                           const std::string& label) {
+  Series one{.name = "first"}, other{.name = "second", .colour = "var(--model)"};
+  for (auto [series, source] : {std::pair{&one, &first}, std::pair{&other, &second}}) {
+    for (std::size_t k = 0; k < source->density.size(); ++k) series->x.push_back(source->middle(k));
+    series->y = source->density;
+    series->sigma = source->sigma;
+  }
+  std::vector<double> places = one.x, densities = one.y;
+  places.insert(places.end(), other.x.begin(), other.x.end());
+  densities.insert(densities.end(), other.y.begin(), other.y.end());
+  return plot(axis_over(label, false, places), axis_over("share per unit", false, densities),
+              {one, other});
+}
+
+std::string plots(const Comparison& c) {
+  const std::string unit(name_of(c.first.extent.unit));
+  std::vector<std::string> figures{
+      plot_figure(ring_plot(c), "How strong waves of each length are."),
+      plot_figure(
+          histogram_plot(c.first.values, c.second.values,
+                         c.first.quantity == "height" ? "height (" + unit + ")" : c.first.quantity),
+          "How often each " + c.first.quantity + " is met.")};
+  if (c.first.slopes && c.second.slopes) {
+    figures.push_back(plot_figure(histogram_plot(*c.first.slopes, *c.second.slopes, "slope"),
+                                  "How often each slope is met."));
+  }
+  return side_by_side(figures);
+}
+
 std::string roughness_table(const Comparison& c) {
   std::vector<TableRow> rows;
   for (const RoughnessField& field : roughness_fields) {
@@ -89,10 +120,8 @@ std::string compare_page(const Surface& first, const Surface& second, const Comp
   } else {
     text += " They do not lie over each other, so only their statistics are compared.";
   }
-  return page("Two surfaces compared",
-              "<p class=\"lead\">" + escaped(text) + "</p>\n" + maps(first, second, c) +
-                  side_by_side({plot_figure(ring_plot(c), "How strong waves of each length are."),
-                                roughness_table(c)}));
+  return page("Two surfaces compared", "<p class=\"lead\">" + escaped(text) + "</p>\n" +
+                                           maps(first, second, c) + plots(c) + roughness_table(c));
 }
 
 }  // namespace hada
