@@ -1,0 +1,69 @@
+#include "fit/ring_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace hada {
+namespace {
+
+/// A radius of wood, half a pixel a column: dark grows before each edge and ends within `soft` px.
+Unrolled radius_with_edges(const std::vector<double>& edges, double soft) {
+  Unrolled flat;
+  flat.step = 0.5;
+  flat.theta = {0.0};
+  flat.values = Grid<float>(1, 300, 0.0f);
+  for (int col = 0; col < 300; ++col) {
+    double from = 0.0;
+    for (const double edge : edges) {
+      const double rho = flat.rho(col);
+      const double grown = std::clamp((rho - from) / (edge - from), 0.0, 1.0);
+      const double ended = 0.5 * (1.0 + std::erf((rho - edge) / (std::sqrt(2.0) * soft)));
+      if (rho > from) flat.values(0, col) -= float(std::pow(grown, 3) * (1.0 - ended));
+      from = edge;
+    }
+  }
+  return flat;
+}
+
+TEST(SlopesAlong, AreThoseOfARamp) {
+  std::vector<float> ramp;
+  for (int k = 0; k < 60; ++k) ramp.push_back(0.3f * float(k));
+  const auto slopes = slopes_along(ramp, 0.5, 1.6);
+  EXPECT_TRUE(std::isnan(slopes.front()));
+  EXPECT_NEAR(slopes[30], 0.6, 1e-5);  // per px
+}
+
+TEST(RingEdges, AreWhereDarkEnds) {
+  const auto flat = radius_with_edges({40.0, 75.0, 110.0}, 1.0);
+  const auto edges = ring_edges(flat, 1.0);
+  ASSERT_EQ(edges.size(), 1u);
+  ASSERT_EQ(edges[0].size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double truth = 40.0 + 35.0 * double(k);
+    // The dark that grows by 3 / 35 a pixel before the edge moves the steepest place outward, by
+    // that times the variance of the blur, 1 + 1.6^2; a column is half a pixel. The middle of the
+    // rise is not smoothed, and moves by a quarter of it.
+    EXPECT_NEAR(edges[0][k].rho, truth + 3.0 / 35.0 * 3.56, 0.05);
+    // The darkest place is still 0.8 deep or more: half of that is met at a rise of 0.6, which the
+    // soft end reaches 0.25 px further out.
+    EXPECT_NEAR(middle_of_rise(edges[0][k], flat, 1.0).rho, truth, 0.25);
+  }
+}
+
+TEST(RingChains, FollowAnEdgeFromSectorToSector) {
+  std::vector<std::vector<RingEdge>> edges;
+  for (int s = 0; s < 20; ++s) {
+    edges.push_back({{s, 40.0 + 0.3 * s, 1.0}, {s, 80.0, 1.0}});
+    if (s == 7) edges.back().erase(edges.back().begin() + 1);  // one sector without
+    if (s < 3) edges.back().push_back({s, 120.0, 1.0});        // too short to be kept
+  }
+  const auto chains = ring_chains(edges, 1.0);
+  ASSERT_EQ(chains.size(), 2u);
+  EXPECT_EQ(chains[0].size(), 20u);
+  EXPECT_EQ(chains[1].size(), 19u);
+}
+
+}  // namespace
+}  // namespace hada
