@@ -43,8 +43,7 @@ TEST(RingEdges, AreWhereDarkEnds) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double truth = 40.0 + 35.0 * double(k);
     // The dark that grows by 3 / 35 a pixel before the edge moves the steepest place outward, by
-    // that times the variance of the blur, 1 + 1.6^2; a column is half a pixel. The middle of the
-    // rise is not smoothed, and moves by a quarter of it.
+    // that times the variance of the blur, 1 + 1.6^2; a column is half a pixel.
     EXPECT_NEAR(edges[0][k].rho, truth + 3.0 / 35.0 * 3.56, 0.05);
     // The darkest place is still 0.8 deep or more: half of that is met at a rise of 0.6, which the
     // soft end reaches 0.25 px further out.
