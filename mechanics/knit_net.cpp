@@ -1,5 +1,7 @@
 #include "mechanics/knit_net.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/parallel.h"
@@ -51,6 +53,15 @@ std::vector<double> stiffness_of_courses(int courses, double ratio,
     if (repeat[j % repeat.size()] != 0) stiffness[j] = ratio;
   }
   return stiffness;
+}
+
+double longest(const Places& vectors) {
+  double most = 0.0;
+  for (const Vector3d& v : vectors) {
+    if (!v.allFinite()) return HUGE_VAL;
+    most = std::max(most, v.norm());
+  }
+  return most;
 }
 
 KnitSprings springs_of(const KnitNet& net, const Places& places) {

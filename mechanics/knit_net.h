@@ -42,6 +42,9 @@ std::vector<double> stiffness_of_courses(int courses, double ratio,
 
 using Places = std::vector<Eigen::Vector3d>;
 
+/// The length of the longest vector; infinite if one of them is not finite.
+double longest(const Places& vectors);
+
 /// Length, direction and tension of every spring. A spring that is missing at a border has none.
 struct KnitSprings {
   Places along, up;  // unit directions: to the next wale, to the next course

@@ -32,6 +32,7 @@ class KnitNewton {
 
   /// The way s of the points with (J - drag) s = load within `frames`, to a residual of `tolerance`
   /// times the load; pinned points have none.
+  /// Not a number where nothing holds some point.
   Places step(const KnitNet& net, const KnitSprings& springs, const KnitFrames& frames,
               const Places& load, double tolerance, double drag = 0.0);
 

@@ -30,12 +30,6 @@ double norm_of(const Places& vectors) {
   return std::sqrt(sum);
 }
 
-double longest(const Places& vectors) {
-  double most = 0.0;
-  for (const Vector3d& v : vectors) most = std::max(most, v.norm());
-  return most;
-}
-
 // J s = F is solved; the step of Newton is -s.
 Places moved(const Places& places, const Places& way) {
   Places next = places;

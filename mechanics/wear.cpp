@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -43,9 +44,9 @@ Span span_of(const Body& body, const WearOptions& options) {
   }
   if (!(span.from >= bottom && span.to <= top && span.from < span.to)) {
     throw Error(
-        "the knit must be drawn from a lower to a higher place of the body, which reaches "
-        "from " +
-        std::to_string(bottom) + " to " + std::to_string(top) + " mm");
+        fmt::format("the knit must be drawn from a lower to a higher place of the body, which "
+                    "reaches from {:g} to {:g} mm",
+                    bottom, top));
   }
   return span;
 }
@@ -67,7 +68,7 @@ Vector3d middle_at(const Body& body, int axis, double height) {
     sum += part * 0.5 * (cut[0] + cut[1]), length += part;
   }
   if (length == 0.0) {
-    throw Error("the body has no outline at " + std::to_string(height) + " mm");
+    throw Error(fmt::format("the body has no outline at {:g} mm", height));
   }
   return sum / length;
 }
@@ -84,8 +85,10 @@ std::vector<MeshPlace> drawn_over(const Body& body, const WearOptions& o, const 
       const Vector3d out = std::cos(turn) * u + std::sin(turn) * v;
       const MeshPlace hit = body.tree().first_hit(middle + span.reach * out, -out);
       if (hit.triangle < 0 || hit.distance >= span.reach) {
-        throw Error("the body has no surface on one side at " + std::to_string(height) +
-                    " mm: draw the knit over a part that is closed around");
+        throw Error(
+            fmt::format("the body has no surface on one side at {:g} mm: draw the knit over a "
+                        "part that is closed around",
+                        height));
       }
       places[std::size_t(course * o.wales + wale)] = hit;
     }
@@ -166,12 +169,6 @@ double largest_tension(const KnitSprings& springs) {
   double most = 1e-300;
   for (const double t : springs.along_tension) most = std::max(most, std::abs(t));
   for (const double t : springs.up_tension) most = std::max(most, std::abs(t));
-  return most;
-}
-
-double longest(const Places& vectors) {
-  double most = 0.0;
-  for (const Vector3d& v : vectors) most = std::max(most, v.norm());
   return most;
 }
 
@@ -261,6 +258,10 @@ WornKnit worn(const Body& body, const WearOptions& options) {
     held.pinned = now.stuck;
     const Places way = newton.step(held, springs, now.frames, now.load, exactness, drag);
     const double length = longest(way);
+    if (!std::isfinite(length)) {  // nothing holds some point: only drag does
+      drag = drag == 0.0 ? first_drag : 4.0 * drag;
+      continue;
+    }
     const double share =
         std::min(1.0, (rough ? rough_slide : longest_slide) * girth / std::max(length, 1e-300));
     auto next_at = slid(body, at, way, share);

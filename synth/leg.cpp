@@ -8,28 +8,33 @@
 namespace hada {
 namespace {
 
-// A smooth curve through (at, value), flat at both ends (Catmull and Rom).
-template <std::size_t N>
-double through(const std::array<std::array<double, 2>, N>& knots, double at) {
-  std::size_t i = 0;
-  while (i + 2 < N && at > knots[i + 1][0]) ++i;
-  const auto slope = [&](std::size_t k) {
-    if (k == 0 || k + 1 == N) return 0.0;
-    return (knots[k + 1][1] - knots[k - 1][1]) / (knots[k + 1][0] - knots[k - 1][0]);
+using Knots = std::array<std::array<double, 2>, 4>;  // place and value
+
+// A curve through four knots, flat at both ends, whose curvature has no steps (cubic spline): a
+// stocking's pressure follows the curvature and would show them.
+double through(const Knots& knots, double at) {
+  const auto width = [&](std::size_t i) { return knots[i + 1][0] - knots[i][0]; };
+  const auto steepness = [&](std::size_t i) { return (knots[i + 1][1] - knots[i][1]) / width(i); };
+  // Both inner slopes m from m1 / h1 + 2 m2 (1 / h1 + 1 / h2) + m3 / h2 = 3 (d1 / h1 + d2 / h2).
+  const auto weight = [&](std::size_t i) { return 2.0 * (1.0 / width(i) + 1.0 / width(i + 1)); };
+  const auto side = [&](std::size_t i) {
+    return 3.0 * (steepness(i) / width(i) + steepness(i + 1) / width(i + 1));
   };
-  const double width = knots[i + 1][0] - knots[i][0], t = (at - knots[i][0]) / width;
-  const double t2 = t * t, t3 = t2 * t;
-  return (2 * t3 - 3 * t2 + 1) * knots[i][1] + (t3 - 2 * t2 + t) * width * slope(i) +
-         (3 * t2 - 2 * t3) * knots[i + 1][1] + (t3 - t2) * width * slope(i + 1);
+  const double across = 1.0 / width(1), whole = weight(0) * weight(1) - across * across;
+  const std::array<double, 4> slope{0.0, (side(0) * weight(1) - across * side(1)) / whole,
+                                    (side(1) * weight(0) - across * side(0)) / whole, 0.0};
+  const std::size_t i = at < knots[1][0] ? 0 : at < knots[2][0] ? 1 : 2;
+  const double t = (at - knots[i][0]) / width(i), t2 = t * t, t3 = t2 * t;
+  return (2 * t3 - 3 * t2 + 1) * knots[i][1] + (t3 - 2 * t2 + t) * width(i) * slope[i] +
+         (3 * t2 - 2 * t3) * knots[i + 1][1] + (t3 - t2) * width(i) * slope[i + 1];
 }
 
 }  // namespace
 
 TriangleMesh leg_mesh(const LegShape& shape) {
-  const std::array<std::array<double, 2>, 4> girth{
+  const Knots girth{
       {{0.0, shape.ankle_mm}, {0.33, shape.calf_mm}, {0.55, shape.knee_mm}, {1.0, shape.thigh_mm}}};
-  const std::array<std::array<double, 2>, 4> bend{
-      {{0.0, 0.0}, {0.33, -shape.bend_mm}, {0.55, 0.3 * shape.bend_mm}, {1.0, 0.0}}};
+  const Knots bend{{{0.0, 0.0}, {0.33, -shape.bend_mm}, {0.55, 0.3 * shape.bend_mm}, {1.0, 0.0}}};
   TriangleMesh mesh;
   const int rings = shape.rings, segments = shape.segments;
   for (int ring = 0; ring <= rings; ++ring) {

@@ -54,7 +54,8 @@ Camera camera_for(const WornKnit& knit, const WornView& view) {
   for (int axis = 0; axis < 3; ++axis) {
     if (axis != view.axis) widest = std::max(widest, size[axis]);
   }
-  camera.cols = std::clamp(int(1.25 * widest / camera.pitch_mm) + 110, 160, view.rows);
+  camera.cols = int(
+      std::clamp(1.25 * widest / camera.pitch_mm + 110.0, 160.0, std::max(160.0, 1.0 * view.rows)));
   camera.middle = 0.5 * (low + high);
   if (view.height_mm > 0.0) camera.middle[view.axis] = view.middle_mm;
   camera.middle += 2.0 * size.norm() * camera.back;

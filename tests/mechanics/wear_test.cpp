@@ -1,5 +1,6 @@
 #include "mechanics/wear.h"
 
+#include <array>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -66,6 +67,27 @@ TEST(Wear, MovesLessTheMoreFrictionHoldsIt) {
   };
   EXPECT_LT(moved(half), moved(free));
   EXPECT_GT(moved(half), 0.0);
+}
+
+TEST(Wear, StaysOnABodyOfTwelveTriangles) {
+  TriangleMesh cube;
+  for (const int i : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    cube.vertices_mm.emplace_back(i / 4 * 2 - 1, i / 2 % 2 * 2 - 1, i % 2 * 2 - 1);
+  }
+  for (const auto& q : {std::array{0, 1, 3, 2},
+                        {4, 6, 7, 5},
+                        {0, 4, 5, 1},
+                        {2, 3, 7, 6},
+                        {0, 2, 6, 4},
+                        {1, 5, 7, 3}}) {
+    cube.triangles.push_back({q[0], q[1], q[2]});
+    cube.triangles.push_back({q[0], q[2], q[3]});
+  }
+  // Its edges are no smooth surface: the knit may not settle, but it stays on the cube.
+  const auto knit = worn(Body(cube), {.courses = 12, .wales = 20, .axis = 0, .most_steps = 20});
+  for (const auto& place : knit.places) {
+    EXPECT_NEAR(place.cwiseAbs().maxCoeff(), 1.0, 1e-12);
+  }
 }
 
 TEST(Wear, RefusesWhatItCannotBeDrawnOver) {
