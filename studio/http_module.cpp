@@ -109,11 +109,11 @@ class Server : public HttpServer, private httplib::Server {
     answering.stream->allow_endless_answer();
     to.set_chunked_content_provider(
         from.type,
-        [stream = from.stream](std::size_t, httplib::DataSink& sink) {
+        [this, stream = from.stream](std::size_t, httplib::DataSink& sink) {
           std::string piece;
           const bool more = stream(piece);
           if (!piece.empty() && !sink.write(piece.data(), piece.size())) return false;
-          if (!more) sink.done();
+          if (!more || svr_sock_ == INVALID_SOCKET) sink.done();
           return true;
         },
         [this](bool) { --streams_; });

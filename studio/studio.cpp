@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "studio/capture_api.h"
 #include "studio/fold_api.h"
 #include "studio/gate.h"
 #include "studio/http.h"
@@ -13,8 +14,8 @@
 namespace hada {
 
 struct Studio::Inside {
-  explicit Inside(const std::filesystem::path& folder)
-      : fold(folder), material(folder), surface(folder) {}
+  Inside(const std::filesystem::path& folder, const std::string& program)
+      : fold(folder), material(folder), surface(folder), capture(folder, program) {}
 
   HttpResponse answer(const HttpRequest& request) {
     std::string path = path_within(gate, request);
@@ -35,6 +36,8 @@ struct Studio::Inside {
     if (room == "fold") return fold.answer(verb, request);
     if (room == "material") return material.answer(verb, request);
     if (room == "surface") return surface.answer(verb, request);
+    if (room == "capture") return capture.capture(verb, request);
+    if (room == "job") return capture.job(verb, request);
     return told(404, "there is no such request");
   } catch (const Error& error) {
     return told(422, error.what());
@@ -46,6 +49,7 @@ struct Studio::Inside {
   FoldApi fold;
   MaterialApi material;
   SurfaceApi surface;
+  CaptureApi capture;
   std::unique_ptr<HttpServer> server;
 };
 
@@ -53,7 +57,8 @@ Studio::Studio(const StudioArguments& arguments) {
   if (!std::filesystem::is_directory(arguments.folder)) {
     throw Error(arguments.folder.string() + ": no such folder; check the name");
   }
-  inside_ = std::make_unique<Inside>(std::filesystem::canonical(arguments.folder));
+  inside_ =
+      std::make_unique<Inside>(std::filesystem::canonical(arguments.folder), arguments.program);
   Inside& inside = *inside_;
   const HttpLimits limits;
   inside.server = http_server(

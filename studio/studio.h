@@ -14,6 +14,7 @@ struct StudioArguments {
   std::filesystem::path folder = ".";
   int port = 0;  // 0: any that is free
   bool no_browser = false;
+  std::string program = "/proc/self/exe";  // that does heavy work: this one
 };
 
 /// The page and what it asks for, on this machine alone.

@@ -17,7 +17,8 @@ namespace hada {
 class RunningStudio {
  public:
   explicit RunningStudio(const std::filesystem::path& folder)
-      : studio_({.folder = folder, .no_browser = true}), thread_([this] { studio_.serve(); }) {
+      : studio_({.folder = folder, .no_browser = true, .program = HADA_PROGRAM}),
+        thread_([this] { studio_.serve(); }) {
     const std::string address = studio_.address();  // http://127.0.0.1:port/token/
     const std::size_t colon = address.find(':', 7), slash = address.find('/', colon);
     port_ = std::stoi(address.substr(colon + 1, slash - colon - 1));
