@@ -73,6 +73,8 @@ void add_wear(Commands& commands, CLI::App& knit) {
             .add_option("--nylon-stiffness", a.nylon_N_per_mm,
                         "of a spring of nylon, N/mm: pressures are then in kPa")
             ->check(positive());
+        command.add_flag("--loops", a.loops,
+                         "write loops.glb too: the yarn in curved loops, thin enough to pass");
         command.add_option("--turn", a.turn_deg, "of the pictures about the axis, degrees");
         command.add_option("--rows", a.picture_rows, "of the pictures (default: 720)")
             ->check(CLI::Range(100, 8000));

@@ -37,6 +37,7 @@ struct KnitWearArguments {
   std::optional<double> nylon_N_per_mm;  // k: pressures are then in kPa
   double turn_deg = 0.0;                 // of the pictures
   int picture_rows = 720;
+  bool loops = false;  // write the yarn as loops too
 };
 
 /// Draws a knit over a body and writes its yarns, its maps and pictures of them.

@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <numbers>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "app/commands/knit.h"
 #include "app/draw/worn_picture.h"
 #include "app/files.h"
 #include "app/knit_files.h"
+#include "app/worn_mesh.h"
 #include "core/error.h"
 #include "core/quantile.h"
 #include "io/json.h"
@@ -18,35 +17,6 @@
 
 namespace hada {
 namespace {
-
-// The yarns as tubes of four sides, for programs that draw meshes.
-TriangleMesh yarn_mesh(const WornKnit& knit, const TautYarns& yarns, double radius) {
-  TriangleMesh mesh;
-  constexpr int sides = 4;
-  for (const auto& line : yarns.lines) {
-    Places way{knit.places[std::size_t(line.from)]};
-    way.insert(way.end(), line.between.begin(), line.between.end());
-    way.push_back(knit.places[std::size_t(line.to)]);
-    const Eigen::Vector3d normal = knit.normals[std::size_t(line.from)];
-    const Eigen::Vector3d across = (way.back() - way.front()).cross(normal).normalized();
-    const int first = int(mesh.vertices_mm.size());
-    for (const auto& place : way) {
-      for (int s = 0; s < sides; ++s) {
-        const double turn = 2.0 * std::numbers::pi * s / sides;
-        mesh.vertices_mm.push_back(
-            place + radius * (normal + std::cos(turn) * normal + std::sin(turn) * across));
-      }
-    }
-    for (int ring = 0; ring + 1 < int(way.size()); ++ring) {
-      for (int s = 0; s < sides; ++s) {
-        const int a = first + ring * sides + s, b = first + ring * sides + (s + 1) % sides;
-        mesh.triangles.push_back({a, a + sides, b});
-        mesh.triangles.push_back({b, a + sides, b + sides});
-      }
-    }
-  }
-  return mesh;
-}
 
 Json range_of_values(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -108,6 +78,10 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
   put_picture(output, "density.png", worn_map(body, knit, density, "/mm^2", view));
   put_picture(output, "pressure.png", worn_map(body, knit, pressure, unit, view));
   put_picture(output, "transmittance.png", worn_map(body, knit, light, "", view));
+  if (arguments.loops) {
+    write_mesh(output, "loops.glb",
+               loop_mesh(knit, std::min(radius, thickest_loop * median(knit.wale_mm))));
+  }
   write_mesh(output, "yarns.glb", yarn_mesh(knit, yarns, radius));
   put_text(
       output, "points.csv",
