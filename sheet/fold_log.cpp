@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -12,6 +11,7 @@
 #include "sheet/arrangement.h"
 #include "sheet/crease.h"
 #include "sheet/flaps.h"
+#include "sheet/folded_flat.h"
 #include "sheet/layers.h"
 #include "sheet/places.h"
 #include "sheet/pointer.h"
@@ -44,82 +44,6 @@ void draw(Sheet& sheet, const std::vector<DrawnLine>& lines, const std::string& 
         sheet.creases[std::size_t(e)]);
   }
   sheet = sheet_of(frame, where);
-}
-
-// Folds that were left open become mountains or valleys as the layers lie.
-void settle_folds(FoldState& state, const FlatState& flat) {
-  std::map<std::pair<int, int>, int> order_of;
-  for (const FaceOrder& o : state.order) order_of[{o.face, o.other}] = o.order;
-  Sheet& sheet = state.sheet;
-  for (int e = 0; e < sheet.edges(); ++e) {
-    Crease& crease = sheet.creases[std::size_t(e)];
-    if (crease == Crease::unassigned) {
-      const int a = sheet.half(2 * e).face, b = sheet.half(2 * e + 1).face;
-      // The order speaks of the side of the second face's print: a valley lays print on print.
-      const auto found = order_of.find({std::min(a, b), std::max(a, b)});
-      if (found != order_of.end()) {
-        crease = found->second > 0 ? Crease::valley : Crease::mountain;
-      }
-    }
-    const double angle = crease == Crease::valley     ? std::numbers::pi
-                         : crease == Crease::mountain ? -std::numbers::pi
-                                                      : 0.0;
-    sheet.fold_angles[std::size_t(e)] = angle;
-  }
-  for (std::size_t v = 0; v < sheet.folded.size(); ++v) sheet.folded[v] << flat.vertices[v], 0.0;
-}
-
-// The paper as it lies was placed by its first face; a fold must not move what stays.
-void keep_in_place(FlatState& flat, const Sheet& sheet, int face) {
-  const auto corners = sheet.corners_of(face);
-  const std::size_t a = std::size_t(corners[0]), b = std::size_t(corners[1]);
-  const Vector2d was_a = sheet.folded[a].head<2>(), was = sheet.folded[b].head<2>() - was_a;
-  const Vector2d is_a = flat.vertices[a], is = flat.vertices[b] - is_a;
-  Eigen::Matrix2d turn =
-      Eigen::Rotation2Dd(std::atan2(was.y(), was.x()) - std::atan2(is.y(), is.x()))
-          .toRotationMatrix();
-  // Lying over, it is turned about the side that both share.
-  const std::size_t c = std::size_t(corners[2]);
-  const auto side = [](const Vector2d& u, const Vector2d& v) {
-    return u.x() * v.y() - u.y() * v.x();
-  };
-  const double was_side = side(was, sheet.folded[c].head<2>() - was_a);
-  const double is_side = side(is, flat.vertices[c] - is_a);
-  const bool over = was_side * is_side < 0.0;
-  if (over) {
-    const Vector2d u = was.normalized();
-    turn = (2.0 * u * u.transpose() - Eigen::Matrix2d::Identity()) * turn;
-    for (std::size_t f = 0; f < flat.turned.size(); ++f) flat.turned[f] = !flat.turned[f];
-  }
-  for (Vector2d& p : flat.vertices) p = turn * (p - is_a) + was_a;
-}
-
-void flatten(FoldState& state, const std::string& where, int staying = 0) {
-  FlatState flat = flat_state(state.sheet);
-  if (flat.gap > 1e-7 * size_of(state.sheet.flat)) {
-    throw Error(where + ": the paper would tear; its folds do not close around a vertex");
-  }
-  keep_in_place(flat, state.sheet, staying);
-  LayerOptions options;
-  options.count = false;
-  const Layers layers = layer_orders(state.sheet, flat, options);
-  if (!layers.possible) throw Error(where + ": " + layers.reason);
-  state.order = layers.order;
-  state.flat = true;
-  settle_folds(state, flat);
-}
-
-// Faces that were cut lie over others as the whole did; the parts of one do not overlap.
-void split_orders(FoldState& state, int before) {
-  const Sheet& sheet = state.sheet;
-  if (sheet.faces() == before || !state.flat) return;
-  FlatState flat = flat_state(sheet);
-  keep_in_place(flat, sheet, 0);
-  LayerOptions options;
-  options.count = false;
-  options.chosen = state.order;
-  const Layers layers = layer_orders(sheet, flat, options);
-  if (layers.possible) state.order = layers.order;
 }
 
 int first_staying(const std::vector<bool>& moving) {

@@ -83,14 +83,14 @@ TEST_F(FoldRequests, AreAnsweredWhileAHandMoves) {
   // The crane, unfolded into more creases: 150 faces.
   ask("open", {{"name", "folds/crane.json"}});
   Json state = ask("go", {{"at", 20}});
-  for (const double x : {0.35, 0.42, 0.46, 0.55, 0.62}) {
+  for (const double x : {0.35, 0.42, 0.46, 0.55}) {
     state = ask("stroke", {{"does", "score"},
                            {"eye", {x, 0.5, 9.0}},
                            {"from", {x, -0.2, 0.0}},
                            {"to", {x, 0.9, 0.0}}});
   }
   const std::size_t faces = state["faces"].size();
-  EXPECT_GT(faces, 140u);
+  EXPECT_GE(faces, 150u);
   Json held;
   for (const double y : {0.6, 0.55, 0.65}) {
     const std::string answer = post(studio_, "api/fold/hold", down_to(0.58, y).dump());
