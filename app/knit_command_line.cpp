@@ -23,7 +23,7 @@ void add_pull(Commands& commands, CLI::App& knit) {
         command.add_option("--wales", a.wales, "columns of stitches (default: 10)")
             ->check(CLI::Range(3, most_stitches));
         command.add_option("--stretch", a.stretches, "length over that at rest (default: 1.5)")
-            ->check(positive());
+            ->check(CLI::Range(0.1, 10.0));
         command.add_option("--along", a.along, "wale (default) or course")
             ->check(CLI::IsMember({"wale", "course"}));
         command.add_option("--clamp", a.clamp, "uniform (default): whole edges; or three-points")
@@ -57,11 +57,11 @@ void add_wear(Commands& commands, CLI::App& knit) {
         command
             .add_option("--girth", o.girth,
                         "of the tube at rest, over the smallest of the body (default: 0.7)")
-            ->check(positive());
+            ->check(CLI::Range(0.01, 100.0));
         command
             .add_option("--length", o.length,
                         "of the tube at rest, over that when worn (default: 0.6)")
-            ->check(positive());
+            ->check(CLI::Range(0.01, 100.0));
         command
             .add_option("--friction", o.friction,
                         "coefficient: a point stays that is pulled along by less than this times "
