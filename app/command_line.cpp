@@ -7,6 +7,7 @@
 #include "app/commands/compare.h"
 #include "app/commands/contact.h"
 #include "app/commands/demo.h"
+#include "app/commands/figure.h"
 #include "app/commands/fit.h"
 #include "app/commands/integrate.h"
 #include "app/commands/materials.h"
@@ -174,6 +175,20 @@ void add_modelling(Commands& commands) {
             ->check(CLI::IsMember({"automatic", "end-grain", "face"}));
         add_out(command, a, "material file to write (default: material.json)");
       });
+  commands.add("figure", "Read gloss and dive of the fibres off a polished cut of wood",
+               "hada figure photos/board --lights lights.json --trunk 90 -o out/figure",
+               figure_command, [](CLI::App& command, FigureArguments& a) {
+                 add_capture(command, a);
+                 add_lights(command, a);
+                 add_pitch(command, a);
+                 command
+                     .add_option("--trunk", a.trunk_deg,
+                                 "direction up the trunk in the pictures, counter-clockwise from "
+                                 "+x (default: 90, upward)")
+                     ->type_name("DEG")
+                     ->check(CLI::Range(-360.0, 360.0));
+                 add_out(command, a, "folder to write")->required();
+               });
   commands.add("synth", "Make more of a surface from its material file",
                "hada synth material.json --size 1024x768 --pitch 0.1 --seed 7 -o out/more",
                synth_command, [](CLI::App& command, SynthArguments& a) {
