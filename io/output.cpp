@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 struct Traces {
   std::mutex mutex;
   std::map<fs::path, std::vector<fs::path>> made_folders;  // by scratch folder, outermost first
+  std::function<void()> first;                             // what an interrupt does before
 };
 
 Traces& traces() {
@@ -157,6 +159,11 @@ void write_text(const fs::path& path, const std::string& text) {
   output.commit();
 }
 
+void do_first_on_interrupt(std::function<void()> work) {
+  const std::lock_guard lock(traces().mutex);
+  traces().first = std::move(work);
+}
+
 void clean_up_on_interrupt() {
   // Threads inherit the mask of their maker: blocked here, the signals reach only the one below.
   sigset_t interrupts;
@@ -167,6 +174,12 @@ void clean_up_on_interrupt() {
   std::thread([interrupts] {
     int signal = 0;
     sigwait(&interrupts, &signal);
+    std::function<void()> first;
+    {
+      const std::lock_guard lock(traces().mutex);
+      first = traces().first;
+    }
+    if (first) first();
     traces().mutex.lock();  // and never let go: nobody may begin a commit now
     std::vector<fs::path> folders;
     for (const auto& [scratch, made] : traces().made_folders) {

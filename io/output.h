@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,9 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// From here on an interrupt (SIGINT, SIGTERM) removes the scratch of every living Output and ends
 /// the program with code 130. Called once, in `main`, before any thread is started.
 void clean_up_on_interrupt();
+
+/// What else an interrupt does, before anything is removed, for programs that serve: `work` runs in
+/// a thread of its own while the others go on. An empty function takes it back.
+void do_first_on_interrupt(std::function<void()> work);
 
 }  // namespace hada

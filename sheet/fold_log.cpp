@@ -198,7 +198,7 @@ void swing_face(FoldState& state, const FoldStep& step, const std::string& where
   swing.with = faces_at(state.sheet, step.faces, where);
   swing.pinned = faces_at(state.sheet, step.pins, where);
   if (step.hasty) {
-    swing.most_steps = 3;
+    swing.most_steps = 2;
     swing.strain = 1e-3;
   }
   state.sheet = swung(std::move(state.sheet), swing, where);

@@ -1,10 +1,15 @@
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <future>
+#include <memory>
 
 #include <spawn.h>
 #include <unistd.h>
 
 #include "app/command_list.h"
 #include "core/error.h"
+#include "io/output.h"
 #include "studio/page.h"
 #include "studio/studio.h"
 
@@ -28,12 +33,21 @@ void studio_command(const StudioArguments& arguments, const Terminal& terminal) 
         "this hada was built without its page: install nodejs and npm, then run cmake and build "
         "again");
   }
-  Studio studio(arguments);
-  terminal.say("the studio is at " + studio.address() + "  (Ctrl-C ends it)");
-  terminal.result("{\"hada\": \"studio/1\", \"address\": \"" + studio.address() + "\"}");
+  auto studio = std::make_unique<Studio>(arguments);
+  terminal.say("the studio is at " + studio->address() + "  (Ctrl-C ends it)");
+  terminal.result("{\"hada\": \"studio/1\", \"address\": \"" + studio->address() + "\"}");
   std::fflush(stdout);
-  if (!arguments.no_browser) open_browser(studio.address());
-  studio.serve();
+  if (!arguments.no_browser) open_browser(studio->address());
+  // Ctrl-C ends the server in order, so that work is stopped and its scratch folder removed.
+  std::promise<void> gone;
+  do_first_on_interrupt([&studio, over = gone.get_future().share()] {
+    studio->stop();
+    over.wait_for(std::chrono::seconds(5));
+  });
+  studio->serve();
+  studio.reset();
+  gone.set_value();
+  do_first_on_interrupt({});
 }
 
 void add_studio(Commands& commands) {

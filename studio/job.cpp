@@ -37,10 +37,18 @@ pid_t spawned(const std::vector<std::string>& words, int terminal) {
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, name, O_RDWR | O_NOCTTY, 0);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  // The server waits for signals in a thread of its own; the process takes them as usual.
+  posix_spawnattr_t manner;
+  posix_spawnattr_init(&manner);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&manner, &none);
+  posix_spawnattr_setflags(&manner, POSIX_SPAWN_SETSIGMASK);
   pid_t process = 0;
-  if (posix_spawn(&process, words[0].c_str(), &files, nullptr, arguments.data(), environ) != 0) {
+  if (posix_spawn(&process, words[0].c_str(), &files, &manner, arguments.data(), environ) != 0) {
     process = 0;
   }
+  posix_spawnattr_destroy(&manner);
   posix_spawn_file_actions_destroy(&files);
   return process;
 }
