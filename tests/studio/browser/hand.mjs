@@ -46,7 +46,7 @@ export class Hand {
     const seen = `${Math.round(x - box.x)} ${Math.round(y - box.y)}`;
     await this.page.mouse.move(x, y);
     await this.page.waitForFunction((text) => document.getElementById('fold-view').dataset.seen === text, seen,
-      { polling: 4, timeout: 5000 });
+      { polling: 4, timeout: 30000 });
   }
 
   /** Draws from one place to the other. `inward`: pixels added to the start. */
@@ -69,7 +69,7 @@ export class Hand {
   async reached(at) {
     const said = () => this.page.textContent('#said');
     await this.page
-      .waitForFunction((n) => document.getElementById('room-fold').dataset.at === String(n), at, { polling: 10, timeout: 5000 })
+      .waitForFunction((n) => document.getElementById('room-fold').dataset.at === String(n), at, { polling: 10, timeout: 30000 })
       .catch(async () => expect(false, `step ${at} is reached; the page says "${await said()}"`));
   }
 

@@ -54,6 +54,7 @@ async function materials() {
 
 async function surfaces() {
   await page.click('#tab-surface');
+  await page.waitForSelector('#surface-list button');
   const names = await page.locator('#surface-list button').allTextContents();
   expect(names.some((name) => name.startsWith('paper')), `the surface is listed: ${names}`);
   expect(!names.some((name) => name.includes('elsewhere')), 'nothing behind a link is listed');
