@@ -1,158 +1,22 @@
 #include "fit/knit_lattice.h"
 
 #include <algorithm>
-#include <complex>
+#include <cmath>
 #include <map>
 #include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <ceres/jet.h>
 
-#include "core/parallel.h"
+#include "fit/knit_harmonics.h"
 
 namespace hada {
 namespace {
 
-constexpr int fields = 6;
+constexpr int fields = lattice_field_count;
 constexpr int background = 6;  // 1, x, y, x^2, xy, y^2
-constexpr int most_harmonics = 22;
 // Where stitches wander by half of one, waves as wide as the picture have no best place any more.
 constexpr double least_explained = 0.6;
-using Jet = ceres::Jet<double, fields>;
-
-/// The pattern of `h` waves across a wale and `k` up a period.
-struct Harmonic {
-  int h, k;
-};
-
-/// Phases of the lattice along a row of pixels in cycles, and how they turn with the six numbers.
-struct RowPhases {
-  Eigen::ArrayX2d cycles;
-  Eigen::Matrix<double, Eigen::Dynamic, fields> wale_turn, course_turn;
-};
-
-Knit<Jet> as_jets(const Knit<>& knit) {
-  Knit<Jet> jets;
-  const LatticeFields at = lattice_fields(knit);
-  jets.wale_mm = Jet(at[0], 0);
-  jets.course_mm = Jet(at[1], 1);
-  jets.rotation_rad = Jet(at[2], 2);
-  jets.skew_rad = Jet(at[3], 3);
-  jets.wale_gradient_per_mm = Jet(at[4], 4);
-  jets.course_gradient_per_mm = Jet(at[5], 5);
-  return jets;
-}
-
-/// The rows and columns of the part of the picture that is looked at.
-struct Window {
-  int row, col, rows, cols;
-};
-
-Window middle_of(const Extent& extent, double share) {
-  const int rows = std::max(8, int(extent.rows * share));
-  const int cols = std::max(8, int(extent.cols * share));
-  return {(extent.rows - rows) / 2, (extent.cols - cols) / 2, rows, cols};
-}
-
-RowPhases phases_of(const Knit<Jet>& knit, const Extent& extent, const Window& window, int row) {
-  RowPhases phases{Eigen::ArrayX2d(window.cols, 2), {}, {}};
-  phases.wale_turn.resize(window.cols, fields);
-  phases.course_turn.resize(window.cols, fields);
-  for (int c = 0; c < window.cols; ++c) {
-    const Eigen::Vector2d place = extent.place(row, window.col + c);
-    const auto [wale, course] = stitch_at(knit, place.x(), place.y());
-    phases.cycles(c, 0) = wale.a;
-    phases.cycles(c, 1) = course.a;
-    phases.wale_turn.row(c) = wale.v.transpose();
-    phases.course_turn.row(c) = course.v.transpose();
-  }
-  return phases;
-}
-
-/// Powers 0 to `most` of exp(2 pi i cycles), a column each.
-Eigen::ArrayXXcd waves(const Eigen::ArrayXd& cycles, int most) {
-  Eigen::ArrayXXcd powers(cycles.size(), most + 1);
-  powers.col(0).setOnes();
-  for (Eigen::Index c = 0; c < cycles.size() && most > 0; ++c) {
-    powers(c, 1) = std::polar(1.0, 2.0 * std::numbers::pi * cycles[c]);
-  }
-  for (int k = 2; k <= most; ++k) powers.col(k) = powers.col(k - 1) * powers.col(1);
-  return powers;
-}
-
-/// exp(2 pi i (h wale + k course)) of every harmonic, a column each.
-Eigen::ArrayXXcd pattern(const std::vector<Harmonic>& harmonics, const RowPhases& phases) {
-  int most_h = 0, most_k = 0;
-  for (const auto& [h, k] : harmonics) {
-    most_h = std::max(most_h, h);
-    most_k = std::max(most_k, std::abs(k));
-  }
-  const Eigen::ArrayXXcd across = waves(phases.cycles.col(0), most_h);
-  const Eigen::ArrayXXcd up = waves(phases.cycles.col(1), most_k);
-  Eigen::ArrayXXcd all(phases.cycles.rows(), Eigen::Index(harmonics.size()));
-  for (std::size_t m = 0; m < harmonics.size(); ++m) {
-    const auto [h, k] = harmonics[m];
-    all.col(Eigen::Index(m)) =
-        across.col(h) * (k < 0 ? Eigen::ArrayXcd(up.col(-k).conjugate()) : up.col(k));
-  }
-  return all;
-}
-
-/// Sums over the rows of a window, each row apart and then in order.
-template <class Sums, class Add>
-Sums summed(const Window& window, const Sums& zero, const Add& add) {
-  std::vector<Sums> rows(std::size_t(window.rows), zero);
-  for_each_index(window.rows, [&](int r) { add(rows[std::size_t(r)], window.row + r); });
-  Sums total = zero;
-  for (const Sums& sums : rows) total += sums;
-  return total;
-}
-
-/// The strongest harmonics of the pattern where `knit` says that it lies.
-std::vector<Harmonic> strongest(const KnitPicture& picture, const Window& window,
-                                const Knit<>& knit, int courses) {
-  constexpr double finest = 0.35;  // cycles per pixel: what the small picture holds, less some room
-  constexpr int most_h = 4;
-  const int most_k = std::min(12, 3 * courses + 1);
-  std::vector<Harmonic> all;
-  for (int h = 0; h <= most_h; ++h) {
-    for (int k = h == 0 ? 1 : -most_k; k <= most_k; ++k) {
-      const double frequency = std::hypot(h / knit.wale_mm, k / knit.course_mm);
-      if (frequency * picture.extent.pitch < finest) all.push_back({h, k});
-    }
-  }
-  std::vector<double> power(all.size(), 0.0);
-  const Knit<Jet> jets = as_jets(knit);
-  const auto hann = [](int at, int count) {
-    return std::pow(std::sin(std::numbers::pi * (at + 0.5) / count), 2);
-  };
-  for (const auto& plane : picture.planes) {
-    double mean = 0.0;
-    for (const float value : plane) mean += value / double(plane.size());
-    const Eigen::VectorXcd zero = Eigen::VectorXcd::Zero(Eigen::Index(all.size()));
-    const Eigen::VectorXcd sums = summed(window, zero, [&](Eigen::VectorXcd& sum, int row) {
-      const auto here = pattern(all, phases_of(jets, picture.extent, window, row));
-      Eigen::VectorXcd values(window.cols);
-      for (int c = 0; c < window.cols; ++c) {
-        values[c] = hann(row - window.row, window.rows) * hann(c, window.cols) *
-                    (plane(row, window.col + c) - mean) * picture.mask(row, window.col + c);
-      }
-      sum = here.matrix().transpose() * values;
-    });
-    for (std::size_t m = 0; m < all.size(); ++m) power[m] += std::norm(sums[Eigen::Index(m)]);
-  }
-  std::vector<std::size_t> order(all.size());
-  for (std::size_t m = 0; m < order.size(); ++m) order[m] = m;
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return power[a] > power[b]; });
-  std::vector<Harmonic> kept;
-  constexpr double least_share = 1e-4;
-  for (const auto m : order) {
-    if (int(kept.size()) == most_harmonics || power[m] < least_share * power[order[0]]) break;
-    kept.push_back(all[m]);
-  }
-  return kept;
-}
 
 /// A row of pixels as the solver sees it; pixels outside the mask are zero everywhere.
 struct RowEquations {
@@ -178,7 +42,7 @@ struct LatticeProblem {
 
   Eigen::Index size() const { return background + 2 * Eigen::Index(harmonics.size()); }
 
-  RowEquations row_at(const Knit<Jet>& knit, int row) const {
+  RowEquations row_at(const Knit<>& knit, int row) const {
     RowEquations equations{Eigen::MatrixXd(window.cols, size()),
                            Eigen::MatrixXd(window.cols, Eigen::Index(picture.planes.size())),
                            phases_of(knit, picture.extent, window, row)};
@@ -218,11 +82,10 @@ struct LatticeProblem {
 
   /// The best linear part, and the normal equations of the rest.
   Linear at(const Knit<>& knit) const {
-    const Knit<Jet> jets = as_jets(knit);
     const Eigen::Index n = size(), planes = Eigen::Index(picture.planes.size());
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, n + 2 * planes);
     const Eigen::MatrixXd moments = summed(window, zero, [&](Eigen::MatrixXd& sum, int row) {
-      const RowEquations equations = row_at(jets, row);
+      const RowEquations equations = row_at(knit, row);
       sum.leftCols(n).selfadjointView<Eigen::Lower>().rankUpdate(equations.basis.transpose());
       sum.middleCols(n, planes) = equations.basis.transpose() * equations.values;
       sum.row(0).tail(planes) = equations.values.colwise().squaredNorm();
@@ -238,17 +101,17 @@ struct LatticeProblem {
       linear.cost += squares - linear.coefficients.col(p).dot(moments.col(n + p));
       linear.variance += squares - sum * sum / count;
     }
-    add_derivatives(linear, jets, solver);
+    add_derivatives(linear, knit, solver);
     return linear;
   }
 
-  void add_derivatives(Linear& linear, const Knit<Jet>& jets,
+  void add_derivatives(Linear& linear, const Knit<>& knit,
                        const Eigen::LLT<Eigen::MatrixXd>& solver) const {
     const Eigen::Index n = size(), planes = Eigen::Index(picture.planes.size());
     const Eigen::Index each = n + fields + 1;
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(each * planes, fields);
     const Eigen::MatrixXd sums = summed(window, zero, [&](Eigen::MatrixXd& sum, int row) {
-      const RowEquations equations = row_at(jets, row);
+      const RowEquations equations = row_at(knit, row);
       const Eigen::MatrixXd residuals = equations.values - equations.basis * linear.coefficients;
       for (Eigen::Index p = 0; p < planes; ++p) {
         const Eigen::MatrixXd by_field = slopes(equations, linear.coefficients.col(p));
@@ -297,13 +160,12 @@ struct LatticeProblem {
   /// The sandwich: what the residuals of one block pull, squared and summed over the blocks.
   Eigen::Matrix<double, fields, fields> covariance(const Knit<>& knit, double courses) const {
     const Linear linear = at(knit);
-    const Knit<Jet> jets = as_jets(knit);
     const Eigen::LLT<Eigen::MatrixXd> solver(linear.gram);
     std::vector<Eigen::MatrixXd> project;
     for (const auto& cross : linear.cross) project.push_back(solver.solve(cross));
     std::map<std::pair<int, int>, LatticeFields> pulls;
     for (int row = window.row; row < window.row + window.rows; ++row) {
-      const RowEquations equations = row_at(jets, row);
+      const RowEquations equations = row_at(knit, row);
       const Eigen::MatrixXd residuals = equations.values - equations.basis * linear.coefficients;
       Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(window.cols, fields);
       for (std::size_t p = 0; p < picture.planes.size(); ++p) {
@@ -339,52 +201,6 @@ Eigen::Matrix<double, fields, fields> covariance_of_peaks(const Knit<>& knit,
 }
 
 }  // namespace
-
-LatticeFields lattice_fields(const Knit<>& knit) {
-  LatticeFields at;
-  at << knit.wale_mm, knit.course_mm, knit.rotation_rad, knit.skew_rad, knit.wale_gradient_per_mm,
-      knit.course_gradient_per_mm;
-  return at;
-}
-
-Knit<> with_lattice_fields(Knit<> knit, const LatticeFields& at) {
-  knit.wale_mm = at[0];
-  knit.course_mm = at[1];
-  knit.rotation_rad = at[2];
-  knit.skew_rad = at[3];
-  knit.wale_gradient_per_mm = at[4];
-  knit.course_gradient_per_mm = at[5];
-  return knit;
-}
-
-KnitPicture knit_picture(const Surface& surface, double stitch, double largest_px) {
-  const int block = std::max(1, int(std::lround(stitch / surface.extent.pitch / largest_px)));
-  KnitPicture picture;
-  const int rows = surface.extent.rows / block, cols = surface.extent.cols / block;
-  picture.extent = {rows, cols, surface.extent.pitch * block, surface.extent.unit};
-  picture.mask = Mask(rows, cols, 1);
-  // The blocks lie in the middle, so that the origin stays where it was, to half a pixel.
-  const int top = (surface.extent.rows - rows * block) / 2;
-  const int left = (surface.extent.cols - cols * block) / 2;
-  for (const auto& plane : surface.albedo.planes) {
-    Grid<float> small(rows, cols);
-    for_each_index(rows, [&](int row) {
-      for (int col = 0; col < cols; ++col) {
-        float sum = 0.0f;
-        for (int r = 0; r < block; ++r) {
-          for (int c = 0; c < block; ++c) {
-            const int y = top + row * block + r, x = left + col * block + c;
-            if (!surface.mask(y, x)) picture.mask(row, col) = 0;
-            sum += std::sqrt(std::max(0.0f, plane(y, x)));
-          }
-        }
-        small(row, col) = sum / float(block * block);
-      }
-    });
-    picture.planes.push_back(std::move(small));
-  }
-  return picture;
-}
 
 LatticeFit fit_lattice(const KnitPicture& picture, const Knit<>& guess) {
   const int courses = std::clamp(int(std::lround(guess.course_mm / guess.wale_mm / 0.8)), 1, 8);

@@ -1,29 +1,12 @@
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
 
-#include "core/image.h"
-#include "core/surface.h"
+#include "fit/knit_harmonics.h"
+#include "fit/knit_picture.h"
 #include "synth/knit.h"
 
 namespace hada {
-
-/// The six numbers that say where stitches are, in the order of `lattice_fields`.
-using LatticeFields = Eigen::Matrix<double, 6, 1>;
-LatticeFields lattice_fields(const Knit<>& knit);
-Knit<> with_lattice_fields(Knit<> knit, const LatticeFields& fields);
-
-/// A picture made small and even enough to explain: square roots of brightness, one plane a colour.
-struct KnitPicture {
-  std::vector<Grid<float>> planes;
-  Mask mask;
-  Extent extent;
-};
-
-/// largest_px  of a stitch in the small picture; blocks of pixels are averaged until it is as small
-KnitPicture knit_picture(const Surface& surface, double stitch, double largest_px);
 
 /// Where the knit lies that explains a picture best as a sum of its harmonics.
 struct LatticeFit {
