@@ -8,7 +8,7 @@
 namespace hada {
 namespace {
 
-constexpr int pictures = 50;
+constexpr int pictures = 24;
 constexpr int seeds = 50;
 
 std::string share(double value) {
@@ -26,10 +26,10 @@ std::string named_rows() {
                share(seen.first) + ", " + share(seen.among_three),
                verdict(seen.first >= 0.6 && seen.among_three >= 0.9)});
   page += row({"masame, itame, mokume", "98 %", share(seen.kinds), verdict(seen.kinds >= 0.98)});
-  const auto small = study_forged({.pictures = 2 * pictures, .rows = 256, .cols = 256});
+  const auto small = study_forged({.pictures = pictures, .rows = 256, .cols = 256});
   page += row({"the same, 256 x 256: among three", "75 %", share(small.among_three),
                verdict(small.among_three >= 0.75)});
-  const auto tiny = study_forged({.pictures = 2 * pictures, .rows = 128, .cols = 128});
+  const auto tiny = study_forged({.pictures = pictures, .rows = 128, .cols = 128});
   const int unsure = small.unsure + tiny.unsure;
   const double right =
       unsure > 0 ? (small.unsure * small.unsure_right + tiny.unsure * tiny.unsure_right) / unsure

@@ -4,10 +4,13 @@ set -euo pipefail
 
 build=(cmake ninja-build ccache mold g++ libeigen3-dev libopencv-core-dev libopencv-imgproc-dev
   libceres-dev libopenimageio-dev openimageio-tools libcli11-dev nlohmann-json3-dev libfmt-dev
-  libtinygltf-dev libcpp-httplib-dev nodejs npm)
+  libtinygltf-dev libcpp-httplib-dev)
 test=(clang clang-format libclang-rt-14-dev libgtest-dev libgmock-dev librapidcheck-dev chromium)
 
 wanted=("${build[@]}")
+# Node.js of another origin brings its own npm, and Debian's would not go with it.
+command -v node > /dev/null || wanted+=(nodejs)
+command -v npm > /dev/null || wanted+=(npm)
 if [[ ${1:-build} == test ]]; then wanted+=("${test[@]}"); fi
 
 if ! command -v apt-get > /dev/null; then
