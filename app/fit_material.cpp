@@ -10,7 +10,8 @@ namespace hada {
 namespace {
 
 // One overload per material: the only place where its fit is called.
-Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface, const FitMaterialOptions& options) {
+Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface,
+                        const FitMaterialOptions& options) {
   return fit_wrinkle(surface, {.components = options.components});
 }
 

@@ -75,7 +75,8 @@ Observation observe(const Surface& surface) {
   }
   if (!surface.has_height()) {
     seen.remarks.push_back(
-        "The input has no height, so its brightness (0 to 1) was fitted: amplitudes are brightness, "
+        "The input has no height, so its brightness (0 to 1) was fitted: amplitudes are "
+        "brightness, "
         "while lengths and angles keep their meaning.");
   }
   const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);

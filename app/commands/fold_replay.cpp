@@ -30,7 +30,8 @@ void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& t
   const SheetView view{arguments.roll_deg, arguments.turn_deg, arguments.tilt_deg, 480};
   put_picture(output, "model.png", sheet_picture(file.frames[0], view));
   for (std::size_t i = 0; arguments.frames && i < states.size(); ++i) {
-    put_picture(output, fmt::format("step_{:02}.png", i), sheet_picture(fold_model("", states[i]).frames[0], view));
+    put_picture(output, fmt::format("step_{:02}.png", i),
+                sheet_picture(fold_model("", states[i]).frames[0], view));
   }
   output.commit();
   const auto crossing = crossing_faces(last.sheet);
