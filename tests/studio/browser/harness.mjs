@@ -29,7 +29,11 @@ export async function openStudio(folder) {
     server.once('exit', (code) => reject(new Error(`hada studio ended with ${code}`)));
   });
   const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-  const browser = await engine.launch({ executablePath: chromium, args: flags });
+  const browser = await engine.launch({ executablePath: chromium, args: flags })
+    .catch((error) => {
+      server.kill();
+      skip(`chromium does not start here: ${error.message.split('\n')[0]}`);
+    });
   const page = await browser.newPage({ viewport: { width: 1120, height: 700 } });
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.message));
