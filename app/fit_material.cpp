@@ -12,7 +12,7 @@ namespace {
 // One overload per material: the only place where its fit is called.
 Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface,
                         const FitMaterialOptions& options) {
-  return fit_wrinkle(surface, {.components = options.components});
+  return fit_wrinkle(surface, {.components = options.components, .progress = options.progress});
 }
 
 Fit<Knit<>> fit_like(const Knit<>&, const Surface& surface, const FitMaterialOptions& options) {

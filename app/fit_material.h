@@ -4,6 +4,7 @@
 
 #include "app/material_file.h"
 #include "core/surface.h"
+#include "fit/fit.h"
 
 namespace hada {
 
@@ -11,6 +12,7 @@ struct FitMaterialOptions {
   int components = 0;              // of a material that has a list of them; 0: the data decide
   std::string view = "automatic";  // of wood: automatic, end-grain or face
   const Surface* face = nullptr;   // of wood: the tangential face of the block, beside its end
+  FitProgress progress = {};       // told what is being done, where a fit has stages
 };
 
 /// The material `name` that explains `surface` best.

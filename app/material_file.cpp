@@ -41,6 +41,56 @@ MaterialFile::Input input_of(JsonObject object, Unit unit) {
   return input;
 }
 
+// "components[1].long_mm" as JSON points at it.
+Json::json_pointer pointer_of(const std::string& path) {
+  std::string text = "/";
+  for (const char c : path) {
+    if (c != ']') text += c == '[' || c == '.' ? '/' : c;
+  }
+  return Json::json_pointer(text);
+}
+
+/// The standard deviations in `json`, laid out as the parameters of `material`; NaN where there is
+/// none, as in a file whose parameters a person has changed.
+Material sigma_of(const Json& json, Material material) {
+  std::visit(
+      [&](auto& m) {
+        visit_fields(m, [&](const std::string& path, const auto&, double& value) {
+          const auto pointer = pointer_of(path);
+          const bool known = json.contains(pointer) && json.at(pointer).is_number();
+          value = known ? json.at(pointer).get<double>() : std::nan("");
+        });
+      },
+      material);
+  return material;
+}
+
+/// What a fit says of itself. None of it is needed to make more of the material.
+void read_record(const Json& json, JsonObject& object, MaterialFile& file) {
+  if (object.has("sigma")) {
+    file.sigma = sigma_of(json["sigma"], file.material);
+  }
+  file.goodness_p = object.number("goodness_p", file.goodness_p);
+  file.runner_up_gap = object.number("runner_up_gap", file.runner_up_gap);
+  if (object.has("starts")) file.starts = object.integer("starts");
+  if (object.has("agreeing")) file.agreeing = object.integer("agreeing");
+  try {
+    if (object.has("on_bound")) json["on_bound"].get_to(file.on_bound);
+    if (object.has("remarks")) json["remarks"].get_to(file.remarks);
+    if (object.has("kinds")) {
+      for (const auto& [kind, probability] : json["kinds"].items()) {
+        file.kinds.emplace_back(kind, probability.get<double>());
+      }
+    }
+    if (!object.has("choices")) return;
+    for (const Json& choice : json["choices"]) {
+      file.choices.push_back({choice.at("words"), choice.at("probability")});
+    }
+  } catch (const Json::exception&) {
+    throw Error(object.where() + ": what the fit says of itself is damaged; fit again");
+  }
+}
+
 Seed seed_of(JsonObject& object) {
   const double seed = object.number("seed");
   constexpr double most_exact = 9007199254740992.0;  // 2^53
@@ -99,10 +149,8 @@ MaterialFile material_of(const std::string& text, const std::string& where) {
   file.unit = unit_of(object);
   if (object.has("seed")) file.seed = seed_of(object);
   if (object.has("input")) file.input = input_of(object.object("input"), file.unit);
-  for (const char* record : {"sigma", "goodness_p", "on_bound", "starts", "agreeing",
-                             "runner_up_gap", "choices", "kinds", "remarks", "version"}) {
-    object.has(record);  // what a fit says of itself is not needed to make more of the material
-  }
+  read_record(json, object, file);
+  object.has("version");
   object.finish();
   return file;
 }

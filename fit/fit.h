@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -7,6 +8,9 @@
 #include <Eigen/Core>
 
 namespace hada {
+
+/// Is told what a fit is at, in a few words for a person.
+using FitProgress = std::function<void(const std::string& stage)>;
 
 /// The best of several starts, and how sure it is. M is a material over double.
 template <class M>

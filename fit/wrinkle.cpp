@@ -201,7 +201,12 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
   const int fewest = options.components > 0 ? options.components : 1;
   const int most = options.components > 0 ? options.components : options.most_components;
   Fit<Wrinkle<>> best;
+  const auto tell = [&](const std::string& stage) {
+    if (options.progress) options.progress(stage);
+  };
   for (int components = fewest; components <= most; ++components) {
+    tell(std::to_string(components) + (components == 1 ? " component, " : " components, ") +
+         std::to_string(starts) + " starts");
     auto from = wrinkle_starts(seen.spectrum, components, starts - 1);
     from.push_back(components == fewest ? grown(components, seen)
                                         : with_one_more(best.material, seen.fine,
@@ -210,6 +215,7 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
     if (components > fewest && bic(fit, seen) >= bic(best, seen)) break;
     best = std::move(fit);
   }
+  tell("refining " + std::to_string(best.material.components.size()) + " over the whole spectrum");
   refine(best, seen);
   const bool picture = !surface.has_height();
   if (picture && best.goodness_p < least_goodness)

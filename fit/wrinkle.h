@@ -13,6 +13,7 @@ struct WrinkleFitOptions {
   int components = 0;       // how many noise functions; 0: chosen by BIC
   int most_components = 4;  // the largest number that BIC may choose
   int starts = 8;           // at least 6
+  FitProgress progress = {};
 };
 
 /// The same wrinkles as everyone would write them: long >= short, long components first, angles in

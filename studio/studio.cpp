@@ -7,15 +7,22 @@
 #include "studio/fold_api.h"
 #include "studio/gate.h"
 #include "studio/http.h"
+#include "studio/job_api.h"
 #include "studio/material_api.h"
 #include "studio/page.h"
+#include "studio/spectrum_api.h"
 #include "studio/surface_api.h"
 
 namespace hada {
 
 struct Studio::Inside {
   Inside(const std::filesystem::path& folder, const std::string& program)
-      : fold(folder), material(folder), surface(folder), capture(folder, program) {}
+      : fold(folder),
+        material(folder),
+        surface(folder),
+        spectrum(folder),
+        capture(folder),
+        job(folder, program) {}
 
   HttpResponse answer(const HttpRequest& request) {
     std::string path = path_within(gate, request);
@@ -36,8 +43,9 @@ struct Studio::Inside {
     if (room == "fold") return fold.answer(verb, request);
     if (room == "material") return material.answer(verb, request);
     if (room == "surface") return surface.answer(verb, request);
-    if (room == "capture") return capture.capture(verb, request);
-    if (room == "job") return capture.job(verb, request);
+    if (room == "spectrum") return spectrum.answer(verb, request);
+    if (room == "capture") return capture.answer(verb, request);
+    if (room == "job") return job.answer(verb, request);
     return told(404, "there is no such request");
   } catch (const Error& error) {
     return told(422, error.what());
@@ -49,7 +57,9 @@ struct Studio::Inside {
   FoldApi fold;
   MaterialApi material;
   SurfaceApi surface;
+  SpectrumApi spectrum;
   CaptureApi capture;
+  JobApi job;
   std::unique_ptr<HttpServer> server;
 };
 

@@ -25,7 +25,11 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
   const MaterialFile file = fit_material(arguments.material, surface, last_name(arguments.input),
                                          {.components = arguments.components,
                                           .view = arguments.view,
-                                          .face = face ? &*face : nullptr});
+                                          .face = face ? &*face : nullptr,
+                                          .progress = [&](const std::string& stage) {
+                                            terminal.step("fitting " + arguments.material + ": " +
+                                                          stage);
+                                          }});
   const std::string text = material_text(file);
   write_text(arguments.out, text);
   for (const auto& line : told(file)) terminal.say(line);

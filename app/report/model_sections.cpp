@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/parameter_rows.h"
 #include "app/part_order.h"
 #include "app/report/figure.h"
 #include "app/report/html.h"
@@ -69,15 +70,6 @@ std::map<std::string, double> by_path(const std::optional<Material>& material) {
   return values;
 }
 
-std::string in_the_unit(std::string unit, const MaterialFile& file) {
-  const auto at = unit.find("mm");
-  if (file.unit == Unit::px && at != std::string::npos) unit.replace(at, 2, "px");
-  if (const auto power = unit.find("^4"); power != std::string::npos) {
-    unit.replace(power, 2, "\u2074");
-  }
-  return unit;
-}
-
 }  // namespace
 
 std::string spectrum_section(const WholePath& path) {
@@ -113,25 +105,10 @@ std::string spectrum_section(const WholePath& path) {
 
 std::string material_section(const WholePath& path) {
   const MaterialFile& file = path.material;
-  const auto sigma = by_path(file.sigma);
   std::vector<TableRow> rows;
-  std::visit(
-      [&](const auto& m) {
-        visit_words(m, [&](const auto& word, const std::string& text) {
-          rows.push_back({{escaped(word.name), escaped(text), "", escaped(word.meaning)}});
-        });
-        visit_fields(m, [&](const std::string& name, const auto& field, double value) {
-          const auto found = sigma.find(name);
-          const bool on_bound =
-              std::find(file.on_bound.begin(), file.on_bound.end(), name) != file.on_bound.end();
-          const std::string number = on_bound || found == sigma.end()
-                                         ? fmt::format("{:.4g}", value)
-                                         : with_sigma(value, found->second);
-          rows.push_back({{escaped(name), number, in_the_unit(std::string(field.unit), file),
-                           escaped(field.meaning) + (on_bound ? " (on its bound)" : "")}});
-        });
-      },
-      file.material);
+  for (const ParameterRow& row : parameter_rows(file)) {
+    rows.push_back({{escaped(row.name), row.number, row.unit, escaped(row.meaning)}});
+  }
   std::string text = fmt::format("The best of {} starts; {} of them ended in the same place.",
                                  file.starts, file.agreeing);
   if (std::isfinite(file.goodness_p)) {

@@ -9,10 +9,15 @@ set(HADA_PAGE_FILES
   fold/room.js
   fold/steps.js
   index.html
+  jobs.js
+  listing.js
   main.js
   materials/room.js
   materials/sliders.js
   parts.js
+  spectrum/plots.js
+  spectrum/room.js
+  spectrum/sky.js
   style.css
   surface/maps.js
   surface/room.js

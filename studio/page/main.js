@@ -2,11 +2,14 @@ import { openCaptures } from './capture/room.js';
 import { openFold } from './fold/room.js';
 import { openMaterials } from './materials/room.js';
 import { attempt, part } from './parts.js';
+import { openSpectrum } from './spectrum/room.js';
 import { openSurfaces } from './surface/room.js';
 
 // A room is begun when it is first seen.
 /** @type {Record<string, () => Promise<void>>} */
-const rooms = { fold: openFold, material: openMaterials, capture: openCaptures, surface: openSurfaces };
+const rooms = {
+  fold: openFold, material: openMaterials, capture: openCaptures, surface: openSurfaces, spectrum: openSpectrum,
+};
 const begun = new Set();
 
 /** @param {string} name */

@@ -24,6 +24,25 @@ export function make(tag, attributes = {}, ...children) {
   return element;
 }
 
+/**
+ * An element of a drawing (SVG).
+ * @param {string} tag @param {Record<string, string | number>} attributes
+ * @param {(Node | string)[]} children
+ */
+export function drawn(tag, attributes = {}, ...children) {
+  const element = /** @type {SVGGraphicsElement} */ (document.createElementNS('http://www.w3.org/2000/svg', tag));
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
+/** Lets the browser save something. @param {BlobPart[]} pieces @param {string} name */
+export function saveAs(pieces, name) {
+  const link = make('a', { href: URL.createObjectURL(new Blob(pieces)), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
 /** @param {string} sentence shown to everyone, read aloud to those who cannot see it */
 export function say(sentence) {
   part('said').textContent = sentence;

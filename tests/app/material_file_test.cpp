@@ -29,6 +29,20 @@ TEST(MaterialFile, ReadsWhatItWrote) {
   EXPECT_EQ(values_of(read.material), values_of(fitted().material));
   EXPECT_EQ(read.seed, Seed(11));
   EXPECT_EQ(read.input->extent, (Extent{48, 64, 0.2, Unit::mm}));
+  ASSERT_TRUE(read.sigma);
+  EXPECT_EQ(values_of(*read.sigma), values_of(*fitted().sigma));
+  EXPECT_EQ(material_text(read), material_text(fitted()));
+}
+
+TEST(MaterialFile, TakesNoDamagedRecordOfAFit) {
+  const std::string whole = material_text(fitted());
+  for (const auto& [part, damaged] :
+       {std::pair{"\"A remark.\"", "7"}, {"\"starts\": 8", "\"starts\": []"}}) {
+    std::string text = whole;
+    ASSERT_NE(text.find(part), std::string::npos) << part;
+    text.replace(text.find(part), std::string(part).size(), damaged);
+    EXPECT_THROW(material_of(text, "m.json"), Error) << part;
+  }
 }
 
 TEST(MaterialFile, NeedsNothingButTheMaterial) {

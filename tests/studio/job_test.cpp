@@ -62,7 +62,7 @@ TEST(JobRequests, CalibrateReconstructAndLeaveNothingWhenCancelled) {
   EXPECT_THAT(body_of(get(studio, "api/capture/list")), HasSubstr("\"name\":\"photos\""));
   EXPECT_EQ(status_of(post(studio, "api/job/calibrate", R"({"capture": "photos"})")), 200);
   EXPECT_EQ(wait()["state"], "done") << state();
-  EXPECT_THAT(body_of(get(studio, "api/capture/lights")), HasSubstr("lights/1"));
+  EXPECT_THAT(body_of(get(studio, "api/job/lights")), HasSubstr("lights/1"));
   const std::string reconstruct = R"({"capture": "photos", "out": "sheet"})";
   EXPECT_EQ(status_of(post(studio, "api/job/reconstruct", reconstruct)), 200);
   EXPECT_EQ(status_of(post(studio, "api/job/calibrate", R"({"capture": "photos"})")), 409);

@@ -1,20 +1,10 @@
 // The photographs of the folder, the spheres and lights in them, and the work on them.
-import { get, post } from '../api.js';
-import { attempt, make, part } from '../parts.js';
+import { get } from '../api.js';
+import { followJobs, work } from '../jobs.js';
+import { mark } from '../listing.js';
+import { attempt, drawn, make, part, say } from '../parts.js';
 
-/**
- * @typedef {{job: number, what: string, state: string, lines: string[]}} Job
- * @typedef {{name: string, pictures: string[]}} Capture
- */
-
-const svg = 'http://www.w3.org/2000/svg';
-
-/** @param {string} tag @param {Record<string, string | number>} attributes */
-function drawn(tag, attributes) {
-  const element = document.createElementNS(svg, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  return element;
-}
+/** @typedef {{name: string, pictures: string[]}} Capture */
 
 /**
  * The lights on a hemisphere seen from above: the middle is straight overhead, the rim is level.
@@ -37,7 +27,6 @@ function hemisphere(lights) {
 export async function openCaptures() {
   /** @type {Capture | null} */
   let capture = null;
-  let finished = () => {};
 
   /** @param {any} lights */
   const showLights = (lights) => {
@@ -59,8 +48,7 @@ export async function openCaptures() {
   /** @param {Capture} chosen @param {HTMLElement} button */
   const open = (chosen, button) => {
     capture = chosen;
-    for (const other of part('capture-list').querySelectorAll('[aria-current]')) other.removeAttribute('aria-current');
-    button.setAttribute('aria-current', 'true');
+    mark(part('capture-list'), button);
     part('capture-lights').replaceChildren();
     const figures = chosen.pictures.map((picture) => {
       const image = make('img', { alt: picture, loading: 'lazy' });
@@ -81,30 +69,21 @@ export async function openCaptures() {
     part('capture-out').value = `${(chosen.name || 'sheet').split('/').pop()}_surface`;
   };
 
-  /** @param {Job} job */
-  const follow = (job) => {
-    const running = job.state === 'running';
-    part('capture-cancel').disabled = !running;
+  followJobs((job) => {
+    if (job.what.startsWith('fit ')) return;
     part('capture-state').textContent = job.job ? `${job.what}: ${job.state}` : '';
     part('capture-lines').textContent = job.lines.join('\n');
     part('capture-lines').scrollTop = part('capture-lines').scrollHeight;
-    part('room-capture').dataset.state = job.state;
-    if (running) return;
-    if (job.state === 'done') finished();
-    finished = () => {};
-  };
-  const events = new EventSource('api/job/events');
-  events.addEventListener('message', (event) => follow(JSON.parse(event.data)));
-
+  });
   part('capture-calibrate').addEventListener('click', () => attempt(async () => {
-    follow(await post('job/calibrate', { capture: capture?.name ?? '' }));
-    finished = () => attempt(async () => showLights(await get('capture/lights')));
+    await work('calibrate', { capture: capture?.name ?? '' });
+    showLights(await get('job/lights'));
   }));
   part('capture-reconstruct').addEventListener('click', () => attempt(async () => {
-    follow(await post('job/reconstruct', { capture: capture?.name ?? '', out: part('capture-out').value }));
-    finished = () => part('surface-again').click();
+    await work('reconstruct', { capture: capture?.name ?? '', out: part('capture-out').value });
+    say(`${part('capture-out').value} is among the surfaces now.`);
+    part('surface-again').click();
   }));
-  part('capture-cancel').addEventListener('click', () => attempt(async () => follow(await post('job/cancel'))));
 
   /** @type {{captures: Capture[]}} */
   const { captures } = await get('capture/list');
@@ -114,4 +93,5 @@ export async function openCaptures() {
     return make('li', {}, button);
   }));
   part('capture-none').hidden = captures.length > 0;
+  part('capture-list').querySelector('button')?.click();
 }

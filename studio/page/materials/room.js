@@ -1,6 +1,6 @@
 // Every material with its parameters as sliders, and what it looks like at once.
 import { bytes, get, newestOf, post } from '../api.js';
-import { attempt, make, part, say } from '../parts.js';
+import { attempt, make, part, saveAs, say } from '../parts.js';
 import { Maps } from '../surface/maps.js';
 import { SurfaceView } from '../surface/view.js';
 import { controls } from './sliders.js';
@@ -73,19 +73,13 @@ export async function openMaterials() {
     part('material-open').value = '';
   }));
 
-  /** @param {Blob} blob @param {string} name */
-  const save = (blob, name) => {
-    const link = make('a', { href: URL.createObjectURL(blob), download: name });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  };
   part('material-save').addEventListener('click', () => attempt(async () => {
     const { text } = await post('material/file', { file: wanted().file });
-    save(new Blob([text]), `${table.name}.json`);
+    saveAs([text], `${table.name}.json`);
   }));
   for (const map of ['height', 'normal', 'albedo']) {
     part(`material-${map}`).addEventListener('click', () => attempt(async () => {
-      save(new Blob([await bytes('material/map', { ...wanted(), map })]), `${table.name}_${map}.exr`);
+      saveAs([await bytes('material/map', { ...wanted(), map })], `${table.name}_${map}.exr`);
     }));
   }
   choose(table.defaults);

@@ -1,5 +1,6 @@
 // The surfaces and pictures of the folder, seen as maps and under a light.
-import { bytes, get } from '../api.js';
+import { bytes } from '../api.js';
+import { listSurfaces } from '../listing.js';
 import { attempt, make, part, say } from '../parts.js';
 import { Maps } from './maps.js';
 import { SurfaceView } from './view.js';
@@ -17,12 +18,10 @@ export async function openSurfaces() {
   }
   part('surface-whole').addEventListener('click', () => view.whole());
 
-  /** @param {string} name @param {HTMLElement} button */
-  const open = async (name, button) => {
+  /** @param {string} name */
+  const open = async (name) => {
     part('surface-facts').textContent = `opening ${name}`;
     const maps = new Maps(await bytes('surface/maps', { name }));
-    for (const other of part('surface-list').querySelectorAll('[aria-current]')) other.removeAttribute('aria-current');
-    button.setAttribute('aria-current', 'true');
     // Only what the surface has can be looked at.
     const there = { 0: true, 1: maps.normals, 2: maps.height, 3: maps.albedo };
     look.replaceChildren(...Object.entries(there).filter(([, has]) => has)
@@ -37,18 +36,7 @@ export async function openSurfaces() {
     say('');
   };
 
-  const list = async () => {
-    /** @type {{entries: {name: string, kind: string}[], all: boolean}} */
-    const { entries, all } = await get('surface/list');
-    const rows = entries.map(({ name, kind }) => {
-      const button = make('button', { type: 'button', class: 'step' }, name, make('small', {}, kind === 'surface' ? ' surface' : ''));
-      button.addEventListener('click', () => attempt(() => open(name, button)));
-      return make('li', {}, button);
-    });
-    part('surface-list').replaceChildren(...rows);
-    part('surface-none').hidden = rows.length > 0;
-    if (!all) say('The folder holds more; only the first are listed.');
-  };
+  const list = () => listSurfaces('surface', open, part('room-surface').dataset.shown);
   part('surface-again').addEventListener('click', () => attempt(list));
   await list();
 }

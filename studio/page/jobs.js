@@ -1,0 +1,48 @@
+// The work in the background, one at a time for the whole page: what it says and how it ends.
+import { post } from './api.js';
+import { attempt, part } from './parts.js';
+
+/** @typedef {{job: number, what: string, state: string, lines: string[]}} Job */
+
+/** @type {{number: number, ended: (job: Job) => void} | null} */
+let awaited = null;
+/** @type {Set<(job: Job) => void>} */
+const listeners = new Set();
+
+/** @param {Job} job */
+function heard(job) {
+  const running = job.state === 'running';
+  part('job').hidden = !running;
+  part('job-says').textContent = `${job.what}: ${job.lines.at(-1) ?? 'beginning'}`;
+  document.body.dataset.job = job.state;
+  for (const listener of listeners) listener(job);
+  if (running || job.job !== awaited?.number) return;
+  const { ended } = awaited;
+  awaited = null;
+  ended(job);
+}
+
+/** Calls `listener` whenever the work says something. @param {(job: Job) => void} listener */
+export function followJobs(listener) {
+  listeners.add(listener);
+}
+
+/**
+ * Starts work and waits for its end.
+ * @param {string} verb such as "fit" @param {object} body
+ * @returns {Promise<Job>} once it is done @throws Error if it fails or is cancelled
+ */
+export async function work(verb, body) {
+  const begun = /** @type {Job} */ (await post(`job/${verb}`, body));
+  const ended = await new Promise((resolve) => {
+    awaited = { number: begun.job, ended: resolve };
+    heard(begun);
+  });
+  if (ended.state === 'done') return ended;
+  throw new Error(ended.state === 'cancelled' ? `${ended.what}: cancelled, nothing was written`
+    : ended.lines.at(-1) ?? `${ended.what}: it failed`);
+}
+
+const events = new EventSource('api/job/events');
+events.addEventListener('message', (event) => heard(JSON.parse(event.data)));
+part('job-cancel').addEventListener('click', () => attempt(async () => heard(await post('job/cancel'))));

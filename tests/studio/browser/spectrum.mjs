@@ -1,0 +1,75 @@
+// Rings and sectors answer to the pointer; a fit runs, is drawn with its intervals, and is cancelled.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { expect, openStudio, pictures, program, sources } from './harness.mjs';
+
+const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
+const material = path.join(sources, 'data_synthetic/papers/recycled_55.json');
+for (const [name, size] of [['large', 1200], ['paper', 400]]) {
+  execFileSync(program, ['synth', material, '--size', `${size}x${size}`, '-o', path.join(folder, name), '--quiet']);
+}
+const studio = await openStudio(folder);
+const { page } = studio;
+const shot = (name) => page.screenshot({ path: path.join(pictures, `${name}.png`) });
+
+const choose = async (name) => {
+  await page.locator('#spectrum-list button', { hasText: name }).click();
+  await page.waitForSelector(`#room-spectrum[data-shown=${name}]`, { timeout: 60000 });
+};
+
+async function look() {
+  await page.click('#tab-spectrum');
+  await page.waitForSelector('#room-spectrum[data-shown]', { timeout: 60000 });
+  await choose('paper');
+  const strongest = await page.textContent('#spectrum-chosen');
+  const box = await page.locator('#spectrum-view image').boundingBox();
+  await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.5 * box.height);
+  const clicked = await page.textContent('#spectrum-chosen');
+  expect(clicked !== strongest && /Sector 0° to|Sector 175° to/.test(clicked), `the sector at the right is told: ${clicked}`);
+  await page.focus('#spectrum-view');
+  await page.keyboard.press('ArrowUp');
+  const stepped = await page.textContent('#spectrum-chosen');
+  expect(stepped !== clicked, 'a key chooses the next ring');
+}
+
+async function fit() {
+  await page.click('#spectrum-fit');
+  await page.waitForSelector('#room-spectrum[data-fitted=wrinkle]', { timeout: 60000 });
+  const numbers = await page.locator('#spectrum-parameters td').allTextContents();
+  expect(numbers.some((text) => text.includes('±')), `the fit says how sure it is: ${numbers}`);
+  expect((await page.locator('.ellipses .best').count()) > 0, 'the components are drawn');
+  expect((await page.locator('.ellipses .bound').count()) > 0, 'and how far they are open');
+  await page.check('#spectrum-expected');
+  await shot('spectrum');
+}
+
+async function cancel() {
+  await choose('large');
+  expect(await page.locator('#spectrum-model').isHidden(), 'another surface has no fit yet');
+  await page.click('#spectrum-fit');
+  await page.waitForSelector('#job-cancel:visible');
+  await page.waitForFunction(() => document.getElementById('job-says').textContent.includes('...'));
+  await shot('spectrum_fitting');
+  await page.click('#job-cancel');
+  await page.waitForSelector('#job', { state: 'hidden' });
+  expect((await page.textContent('#said')).includes('cancelled'), 'it is said that the fit was cancelled');
+  expect(await page.locator('#spectrum-model').isHidden(), 'and nothing is shown of it');
+}
+
+try {
+  await page.waitForSelector('#room-fold[data-at]');
+  await look();
+  await fit();
+  await cancel();
+  expect(studio.faults.length === 0, `no fault in the page: ${studio.faults.join('; ')}`);
+  console.log('the spectrum, its fit and the end of a fit as they should be');
+} catch (error) {
+  await shot('failed_spectrum');
+  console.error(error.message);
+  process.exitCode = 1;
+} finally {
+  await studio.close();
+  rmSync(folder, { recursive: true });
+}
