@@ -4,12 +4,14 @@
 #include <system_error>
 
 #include "app/draw/maps.h"
+#include "app/material_file.h"
 #include "core/error.h"
 #include "io/image_file.h"
 #include "io/json.h"
 #include "io/surface_file.h"
 #include "studio/folder.h"
 #include "studio/surface_bytes.h"
+#include "synth/synthesize.h"
 
 namespace hada {
 namespace {
@@ -63,6 +65,13 @@ Surface small(Surface surface) {
   if (less.albedo.rows() != less.extent.rows || less.albedo.cols() != less.extent.cols) {
     less.albedo = {};
   }
+  const auto add_sigma = [&](const Grid<float>& of, Grid<float>& to) {
+    if (of.empty()) return;
+    const Image mean = shrunk(Image(of), most_px);
+    if (mean.rows() == less.extent.rows && mean.cols() == less.extent.cols) to = mean.planes[0];
+  };
+  add_sigma(surface.normal_sigma, less.normal_sigma);
+  add_sigma(surface.height_sigma, less.height_sigma);
   return less;
 }
 
@@ -78,16 +87,23 @@ HttpResponse SurfaceApi::answer(const std::string& verb, const HttpRequest& requ
     }
     return {.body = Json{{"entries", list}, {"all", entries.size() < most_entries}}.dump()};
   }
-  if (request.method == "POST" && verb == "maps") {
+  if (request.method == "POST" && (verb == "maps" || verb == "like")) {
     const Json json = parsed_json(request.body, "the request");
     JsonObject object(json, "the request");
     const std::string name = object.text("name");
+    const int seed = verb == "like" ? object.integer("seed") : 0;
+    if (seed < 0) object.fail("seed", "must not be negative");
+    if (verb == "like") object.object("file");
     object.finish();
     const fs::path place = place_within(folder_, name);
     const std::lock_guard lock(busy_);
     try {
-      return {.type = "application/octet-stream",
-              .body = surface_bytes(small(read_surface(place)))};
+      Surface surface = small(read_surface(place));
+      if (verb == "like") {
+        const MaterialFile file = material_of(json["file"].dump(), "the material");
+        surface = synthesize(file.material, surface.extent, Seed(seed));
+      }
+      return {.type = "application/octet-stream", .body = surface_bytes(surface)};
     } catch (const Error& error) {
       // Errors of files name them in full; the page knows them by their place in the folder.
       throw Error(without_folder(folder_, error.what()));

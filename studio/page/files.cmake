@@ -15,11 +15,15 @@ set(HADA_PAGE_FILES
   materials/room.js
   materials/sliders.js
   parts.js
+  plot.js
   spectrum/plots.js
   spectrum/room.js
   spectrum/sky.js
   style.css
+  surface/look.js
   surface/maps.js
+  surface/profile.js
   surface/room.js
+  surface/sheet.js
   surface/view.js
 )

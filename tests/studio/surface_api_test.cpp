@@ -35,7 +35,13 @@ TEST(SurfaceRequests, ListAndShowWhatLiesInTheFolderAlone) {
   EXPECT_THAT(list, Not(HasSubstr("link")));
   const std::string maps = post(studio, "api/surface/maps", R"({"name": "sheet"})");
   EXPECT_EQ(status_of(maps), 200);
-  EXPECT_EQ(body_of(maps).size(), 32u + 64 * (8 + 4));
+  EXPECT_EQ(body_of(maps).size(), 40u + 64 * (8 + 4));
+  // A material on the same lattice, to be seen beside it.
+  const std::string like = post(studio, "api/surface/like", R"({"name": "sheet", "seed": 1, "file":
+    {"hada": "material/1", "material": "wrinkle", "parameters": {"components": [{"amplitude_mm":
+    0.1, "long_mm": 1.0, "short_mm": 1.0, "angle_rad": 0.0}], "floor_mm4": 0.0}}})");
+  EXPECT_EQ(status_of(like), 200) << like;
+  EXPECT_EQ(body_of(like).size(), 40u + 64 * (8 + 8 + 4));
   for (const char* name : {"link", "../outside", "broken.png", "", "missing"}) {
     const std::string said =
         post(studio, "api/surface/maps", std::string(R"({"name": ")") + name + "\"}");

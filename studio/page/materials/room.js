@@ -53,10 +53,10 @@ export async function openMaterials() {
     choose(table.defaults);
   });
   for (const id of ['material-size', 'material-pitch', 'material-seed']) part(id).addEventListener('change', make_);
-  part('material-look').addEventListener('change', () => view.set({ mode: Number(part('material-look').value) }));
+  part('material-look').addEventListener('change', () => view.look.set({ mode: Number(part('material-look').value) }));
   for (const name of /** @type {const} */ (['exaggeration', 'gloss', 'roughness'])) {
     const slider = part(`material-${name}`);
-    slider.addEventListener('input', () => view.set({ [name]: Number(slider.value) }));
+    slider.addEventListener('input', () => view.look.set({ [name]: Number(slider.value) }));
   }
   part('material-defaults').addEventListener('click', () => choose(table.defaults));
   part('material-open').addEventListener('change', () => attempt(async () => {

@@ -1,10 +1,11 @@
 // Rings and sectors as plots: measured with their standard errors, and what a material explains.
+import { axis, bands, colours, series } from '../plot.js';
 import uPlot from '../vendor/uplot.js';
 
-const ink = '#6a675f';
-const mark = '#b4472e';
-const model = '#174ea6';
 const least = 1e-9; // of the highest density that is shown
+
+/** Ticks that are powers of ten. @param {unknown} _ @param {number[]} ticks */
+const decades = (_, ticks) => ticks.map((t) => (Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-6 ? t : null));
 
 /** Only what a logarithm is made of. @param {(number | null)[]} values */
 const positive = (values) => values.map((v) => (v !== null && v > 0 ? v : null));
@@ -36,9 +37,6 @@ export class Plot {
    */
   show(x, density, sigma, expected, labels) {
     this.plot?.destroy();
-    const decades = (/** @type {uPlot} */ _, /** @type {number[]} */ v) => v.map((t) => (Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-6 ? t : null));
-    const axis = { stroke: ink, grid: { stroke: '#e7e3d9', width: 1 }, ticks: { stroke: '#d9d5ca', width: 1 }, font: '12px system-ui, sans-serif',
-      labelFont: '12px system-ui, sans-serif', labelSize: 18 };
     const seen = density.filter((d) => d > 0);
     const high = 2 * Math.max(...seen, 1e-30);
     const low = Math.max(Math.min(...seen, high) / 2, high * least);
@@ -51,10 +49,8 @@ export class Plot {
       axes: [{ ...axis, label: labels.x, size: 32, ...(this.log ? { grid: { ...axis.grid, filter: decades }, ticks: { ...axis.ticks, filter: decades } } : {}) },
         { ...axis, label: labels.y, size: 54, values: (/** @type {uPlot} */ _, /** @type {(number | null)[]} */ v) => v.map((t) => (t === null ? '' : `1e${Math.round(Math.log10(t))}`)),
           filter: decades, grid: { ...axis.grid, filter: decades }, ticks: { ...axis.ticks, filter: decades } }],
-      bands: [{ series: [3, 2], fill: 'rgba(180, 71, 46, 0.16)' }],
-      series: [{}, { stroke: mark, width: 1.5, points: { show: true, size: 4, fill: mark } },
-        { stroke: 'transparent', points: { show: false } }, { stroke: 'transparent', points: { show: false } },
-        { stroke: model, width: 2, points: { show: false } }],
+      bands,
+      series: series.map((one, i) => (i === 1 ? { ...one, points: { show: true, size: 4, fill: colours.measured } } : one)),
       hooks: { draw: [(/** @type {uPlot} */ plot) => this.line(plot)] },
     };
     const data = [x, positive(density), positive(density.map((d, i) => d - sigma[i])), positive(density.map((d, i) => d + sigma[i])),
@@ -78,7 +74,7 @@ export class Plot {
     const x = plot.valToPos(plot.data[0][this.index], 'x', true);
     const { ctx, bbox } = plot;
     ctx.save();
-    ctx.strokeStyle = ink;
+    ctx.strokeStyle = colours.ink;
     ctx.lineWidth = devicePixelRatio;
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);

@@ -58,8 +58,7 @@ async function surfaces() {
   const names = await page.locator('#surface-list button').allTextContents();
   expect(names.some((name) => name.startsWith('paper')), `the surface is listed: ${names}`);
   expect(!names.some((name) => name.includes('elsewhere')), 'nothing behind a link is listed');
-  await page.click('#surface-list button');
-  await page.waitForSelector('#room-surface[data-shown]');
+  await page.waitForSelector('#room-surface[data-shown]'); // the first is opened by itself
   await page.fill('#surface-exaggeration', '8');
   const box = await page.locator('#surface-view').boundingBox();
   const lit = async (x, y) => {
@@ -78,6 +77,37 @@ async function surfaces() {
   await page.selectOption('#surface-look', '2');
   await seen('surface');
   await shot('surface_height');
+  await page.selectOption('#surface-look', '0');
+}
+
+// A profile across it, a material beside it, and both in space.
+async function compared() {
+  await page.check('#surface-tool-profile');
+  const box = await page.locator('#surface-view').boundingBox();
+  const plot = async () => (await page.locator('#surface-profile').screenshot()).toString('base64');
+  const first = await plot();
+  await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.3 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.7 * box.height);
+  await page.mouse.up();
+  const drawn = await plot();
+  expect(first !== drawn, 'a profile follows the pointer');
+  await page.focus('#surface-view');
+  await page.keyboard.press('ArrowLeft');
+  expect(drawn !== (await plot()), 'keys move the profile');
+  await page.setInputFiles('#surface-open', material);
+  await page.waitForSelector('#room-surface[data-beside=wrinkle]');
+  await seen('surface');
+  await shot('surface_beside');
+  await page.check('#surface-space');
+  const before = await seen('surface');
+  await page.keyboard.press('Tab');
+  await page.focus('#surface-view');
+  await page.keyboard.press('Alt+ArrowLeft');
+  expect(before !== (await seen('surface')), 'keys turn it in space');
+  await shot('surface_space');
+  await page.click('#surface-alone');
+  await page.uncheck('#surface-space');
 }
 
 // Every control has a name, and the keyboard reaches it.
@@ -97,6 +127,7 @@ try {
   await page.waitForSelector('#room-fold[data-at]');
   await materials();
   await surfaces();
+  await compared();
   await accessible();
   const faults = studio.faults.filter((fault) => !fault.includes('422')); // the nonsense, as it should be
   expect(faults.length === 0, `no fault in the page: ${faults.join('; ')}`);
