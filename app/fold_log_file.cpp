@@ -88,6 +88,11 @@ FoldStep step_from(JsonObject object) {
     }
     step.crease = Crease(letter[0]);
   }
+  if (step.action == FoldAction::through) {
+    step.stiff = object.flag("stiff", false);
+    step.mountains = places(object, "mountains");
+    step.valleys = places(object, "valleys");
+  }
   if (step.action == FoldAction::turn) {
     step.degrees = object.number("degrees");
     step.layers = layers_from(object, {"all", "top", "bottom"});
@@ -101,7 +106,8 @@ FoldStep step_from(JsonObject object) {
     step.stroke = {place_in_space(object, "eye"), place_in_space(object, "from"),
                    place_in_space(object, "to")};
   }
-  if (step.action == FoldAction::swing || step.action == FoldAction::score) {
+  if (step.action == FoldAction::swing || step.action == FoldAction::score ||
+      step.action == FoldAction::through) {
     step.faces = places(object, "faces");
   }
   if (std::abs(step.degrees) > 360.0) object.fail("degrees", "must lie between -360 and 360");
@@ -157,6 +163,7 @@ std::string fold_log_text(const FoldLog& log) {
       entry["from"] = {step.from.x(), step.from.y()};
       entry["to"] = {step.to.x(), step.to.y()};
     }
+    if (step.stiff) entry["stiff"] = true;
     if (step.action == FoldAction::over) entry["x"] = step.from.x();
     if (step.action == FoldAction::fold) entry["crease"] = std::string(1, char(step.crease));
     if (step.action == FoldAction::turn) {
@@ -175,6 +182,8 @@ std::string fold_log_text(const FoldLog& log) {
       entry["to"] = {stroke.to.x(), stroke.to.y(), stroke.to.z()};
     }
     put_places(entry, "faces", step.faces);
+    put_places(entry, "mountains", step.mountains);
+    put_places(entry, "valleys", step.valleys);
     if (step.action == FoldAction::squash) entry["share"] = step.share;
     if (!step.note.empty()) entry["note"] = step.note;
     steps.push_back(std::move(entry));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "sheet/arrangement.h"
 
 namespace hada {
 namespace {
@@ -96,10 +97,25 @@ int outermost_flap(const Sheet& sheet, const std::vector<FaceOrder>& order,
     covered[std::size_t(a_above == (side > 0) ? b : a)] = true;
     covers[std::size_t(a_above == (side > 0) ? a : b)] = true;
   }
+  // Of those that lie apart the one that is further to this side.
+  std::vector<double> reach(std::size_t(flaps), 0.0), corners(std::size_t(flaps), 0.0);
+  for (int f = 0; f < sheet.faces(); ++f) {
+    if (flap[std::size_t(f)] < 0) continue;
+    const std::size_t k = std::size_t(flap[std::size_t(f)]);
+    for (const int v : sheet.corners_of(f)) {
+      reach[k] += side * sheet.folded[std::size_t(v)].z();
+      corners[k] += 1.0;
+    }
+  }
+  for (std::size_t k = 0; k < reach.size(); ++k) reach[k] /= corners[k];
+  const double apart = 1e-9 * size_of(sheet.flat);
   int chosen = -1;
   for (int k = 0; k < flaps; ++k) {
-    if (covered[std::size_t(k)]) continue;
-    if (chosen < 0 || (covers[std::size_t(k)] && !covers[std::size_t(chosen)])) chosen = k;
+    const std::size_t here = std::size_t(k), best = std::size_t(std::max(chosen, 0));
+    if (covered[here]) continue;
+    const bool better =
+        covers[here] != covers[best] ? covers[here] : reach[here] > reach[best] + apart;
+    if (chosen < 0 || better) chosen = k;
   }
   return chosen;
 }

@@ -19,8 +19,8 @@ std::vector<bool> moving_faces(const Sheet& sheet, const std::vector<int>& creas
 std::vector<int> flaps_of(const Sheet& sheet, const std::vector<bool>& moving,
                           const std::vector<int>& creases);
 
-/// The flap of a level sheet that no other covers on this side, one that covers others if there is
-/// one; -1 if there is none.
+/// The flap of a level sheet that no other covers on this side: one that covers others if there is
+/// one, and of several the one that is furthest out; -1 if there is none.
 ///
 /// side  1 seen from above, -1 from below
 int outermost_flap(const Sheet& sheet, const std::vector<FaceOrder>& order,

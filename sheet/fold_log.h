@@ -15,7 +15,8 @@ enum class FoldAction {
   crease,   // a crease that is not folded yet, on the flat sheet from `from` to `to`
   fold,     // a fold on the flat sheet: as crease, but folded at the next `flatten`
   flatten,  // folds flat what is folded
-  through,  // folds all layers that the line crosses, seen from above: what lies to its left moves
+  through,  // folds all layers that the line crosses, seen from above, or those of `faces` alone:
+            // what lies to its left moves
   turn,     // turns what lies to the left of the line by `degrees` about it, all layers together,
             // or the flap on top or at the bottom alone
   squash,   // presses the sheet towards the ground to `share` of its height, then lets it relax
@@ -40,12 +41,18 @@ struct FoldStep {
   Crease crease = Crease::unassigned;  // of `fold`
   double degrees = 180.0;              // of `turn` and `swing`, towards the viewer > 0
   int layers = 0;                      // that `turn` takes: 0 all, 1 the top flap, -1 the bottom
-  double share = 0.1;                  // of `squash`
-  FoldStroke stroke = {};              // of `score`
-  std::vector<Eigen::Vector2d> faces = {};  // places on the flat sheet: `score` creases these faces
-                                            // alone, with `swing` the flaps that hold them turn
-                                            // too; of `swing` none: all that lie on each other
-  std::vector<Eigen::Vector2d> pins = {};   // places of faces that `swing` leaves where they are
+  bool stiff = false;                  // of `through`: what moves turns as one, no fold in it turns
+                                       // inside out
+  std::vector<Eigen::Vector2d> mountains =
+      {};                                     // places on the flat sheet: the nearest of the folds
+  std::vector<Eigen::Vector2d> valleys = {};  // that `through` leaves open go this way
+  double share = 0.1;                         // of `squash`
+  FoldStroke stroke = {};                     // of `score`
+  std::vector<Eigen::Vector2d> faces =
+      {};  // places on the flat sheet: `score` and `through`
+           // crease these faces alone, with `swing` the flaps that hold them turn
+           // too; of `swing` none: all that lie on each other
+  std::vector<Eigen::Vector2d> pins = {};  // places of faces that `swing` leaves where they are
   bool hasty = false;  // of `swing`, while a hand moves: strains up to 1e-3 will do; not in files
   std::string note;    // what a person would say of it
 };

@@ -64,7 +64,8 @@ void keep_in_place(FlatState& flat, const Sheet& sheet, int face) {
   for (Vector2d& p : flat.vertices) p = turn * (p - is_a) + was_a;
 }
 
-void flatten(FoldState& state, const std::string& where, int staying) {
+std::string blocked_flat(FoldState& state, const std::string& where, int staying,
+                         const std::vector<FaceOrder>& known) {
   FlatState flat = flat_state(state.sheet);
   if (flat.gap > 1e-7 * size_of(state.sheet.flat)) {
     throw Error(where + ": the paper would tear; its folds do not close around a vertex");
@@ -72,23 +73,18 @@ void flatten(FoldState& state, const std::string& where, int staying) {
   keep_in_place(flat, state.sheet, staying);
   LayerOptions options;
   options.count = false;
+  options.chosen = known;
   const Layers layers = layer_orders(state.sheet, flat, options);
-  if (!layers.possible) throw Error(where + ": " + layers.reason);
+  if (!layers.possible) return layers.reason;
   state.order = layers.order;
   state.flat = true;
   settle_folds(state, flat);
+  return "";
 }
 
-void split_orders(FoldState& state, int faces_before) {
-  const Sheet& sheet = state.sheet;
-  if (sheet.faces() == faces_before || !state.flat) return;
-  FlatState flat = flat_state(sheet);
-  keep_in_place(flat, sheet, 0);
-  LayerOptions options;
-  options.count = false;
-  options.chosen = state.order;
-  const Layers layers = layer_orders(sheet, flat, options);
-  if (layers.possible) state.order = layers.order;
+void flatten(FoldState& state, const std::string& where, int staying) {
+  const std::string reason = blocked_flat(state, where, staying, {});
+  if (!reason.empty()) throw Error(where + ": " + reason);
 }
 
 }  // namespace hada

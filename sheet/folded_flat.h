@@ -15,11 +15,15 @@ void settle_folds(FoldState& state, const FlatState& flat);
 /// A flat state is placed by its first face; here it is moved so that `face` lies where it does.
 void keep_in_place(FlatState& flat, const Sheet& sheet, int face);
 
-/// Folds flat all that is folded and orders the layers; face `staying` does not move.
-/// throws  Error with `where` if the paper would tear, or its layers block each other
-void flatten(FoldState& state, const std::string& where, int staying = 0);
+/// Folds flat all that is folded and orders the layers, so that known orders hold; face `staying`
+/// does not move.
+/// returns  why the layers block each other; nothing, and a new state, if they do not
+/// throws   Error with `where` if the paper would tear
+std::string blocked_flat(FoldState& state, const std::string& where, int staying,
+                         const std::vector<FaceOrder>& known);
 
-/// After faces were cut: they lie over others as the whole did; the parts of one do not overlap.
-void split_orders(FoldState& state, int faces_before);
+/// The same without known orders.
+/// throws  Error with `where` also if the layers block each other
+void flatten(FoldState& state, const std::string& where, int staying = 0);
 
 }  // namespace hada

@@ -1,7 +1,10 @@
 #include "sheet/places.h"
 
+#include <algorithm>
+
 #include <Eigen/LU>
 
+#include "core/error.h"
 #include "sheet/arrangement.h"
 
 namespace hada {
@@ -40,6 +43,35 @@ int face_at(const Sheet& sheet, const Vector2d& flat) {
     if (inside) return f;
   }
   return -1;
+}
+
+std::vector<int> faces_at(const Sheet& sheet, const std::vector<Vector2d>& places,
+                          const std::string& where) {
+  std::vector<int> faces;
+  for (const Vector2d& place : places) {
+    faces.push_back(face_at(sheet, place));
+    if (faces.back() < 0) throw Error(where + ": a place lies beside the paper");
+  }
+  return faces;
+}
+
+std::vector<bool> chosen_faces(const Sheet& sheet, const std::vector<Vector2d>& places,
+                               const std::string& where) {
+  std::vector<bool> chosen;
+  if (!places.empty()) chosen.assign(std::size_t(sheet.faces()), false);
+  for (const int face : faces_at(sheet, places, where)) chosen[std::size_t(face)] = true;
+  return chosen;
+}
+
+int first_staying(const std::vector<bool>& moving) {
+  return int(std::find(moving.begin(), moving.end(), false) - moving.begin());
+}
+
+double distance_to(const Sheet& sheet, int edge, const Vector2d& flat) {
+  const Vector2d &a = sheet.flat[std::size_t(sheet.origin(2 * edge))],
+                 &b = sheet.flat[std::size_t(sheet.target(2 * edge))];
+  const double share = std::clamp((flat - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (a + share * (b - a) - flat).norm();
 }
 
 Vector2d flat_place(const Sheet& sheet, int face, const Vector3d& place) {

@@ -58,5 +58,20 @@ TEST(Fold, ReplaysTheShippedCraneToTheSameBytes) {
   }
 }
 
+TEST(Fold, ReplaysEveryShippedLogWithoutPaperThroughPaper) {
+  const Scratch scratch;
+  const std::filesystem::path folder =
+      std::filesystem::path(HADA_SOURCE_DIR) / "data_synthetic" / "folds";
+  int logs = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const Answer said =
+        answer("fold replay " + entry.path().string() + " -o " + (scratch / "model").string());
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.out, HasSubstr(" 0 pairs of faces pass through each other"));
+    ++logs;
+  }
+  EXPECT_GE(logs, 6);  // boat, crane, organ, penguin, petal fold, snail
+}
+
 }  // namespace
 }  // namespace hada

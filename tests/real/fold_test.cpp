@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/fold_log_file.h"
 #include "bench/accuracy.h"
 #include "bench/fold_study.h"
+#include "io/fold_file.h"
+#include "sheet/fold_log.h"
+#include "sheet/places.h"
 
 namespace hada {
 namespace {
@@ -25,6 +29,32 @@ TEST(CreasePatterns, ThatDoNotFoldAreRejectedWithAReason) {
   }
   for (const auto& rejection : score_unfoldable(data_folder())) {
     EXPECT_FALSE(rejection.reason.empty()) << rejection.name;
+  }
+}
+
+// The recorded snail ends where Furuta's published one lies: all distances between its corners.
+TEST(RecordedSnail, EndsInThePublishedShape) {
+  const auto folder = data_folder() / "fold";
+  if (!std::filesystem::exists(folder)) {
+    GTEST_SKIP() << "the crease patterns are not in " << data_folder();
+  }
+  const std::string name = "042_furutaoripa_katatsumuri_(snail)";
+  const auto pattern = read_fold(folder / "crease_patterns" / (name + ".fold")).frames[0];
+  const auto shape = read_fold(folder / "folded_states" / (name + ".folded.fold")).frames[0];
+  const std::filesystem::path source = HADA_SOURCE_DIR;
+  const auto states = replayed(read_fold_log(source / "data_synthetic" / "folds" / "snail.json"));
+  const Sheet& sheet = states.back().sheet;
+  std::vector<Eigen::Vector3d> mine;
+  for (const auto& p : pattern.vertices) {
+    const Eigen::Vector2d flat = p.head<2>();
+    mine.push_back(folded_place(sheet, face_at(sheet, flat), flat));
+  }
+  ASSERT_EQ(mine.size(), shape.vertices.size());
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      // The lines of the log are written to 12 digits and found through 30 folds.
+      EXPECT_NEAR((mine[i] - mine[j]).norm(), (shape.vertices[i] - shape.vertices[j]).norm(), 1e-9);
+    }
   }
 }
 

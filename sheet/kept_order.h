@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sheet/sheet.h"
+
+/// What is known of the order of layers, kept while a sheet is cut and moved.
+namespace hada {
+
+/// A place that two faces cover which lie on each other in one plane: the middle of what they have
+/// in common. Nothing if they do not lie on each other.
+///
+/// Faces are convex. Planes that differ by less than 1e-6 of the sheet are one.
+std::optional<Eigen::Vector3d> common_place(const Sheet& sheet, int face, int other);
+
+/// Orders after faces were cut by creases: parts lie over others as the whole did.
+///
+/// creases  what `insert_crease` gave back
+std::vector<FaceOrder> split_orders(const Sheet& sheet, const std::vector<FaceOrder>& order,
+                                    int faces_before, const std::vector<int>& creases);
+
+/// Orders after a movement, of all pairs of faces that lie on each other now. Those that kept
+/// together stay as they were; those that came together lie as they came.
+///
+/// shortly_before  where the vertices were when what came together was still apart
+std::vector<FaceOrder> moved_orders(const Sheet& sheet, const std::vector<FaceOrder>& order,
+                                    const std::vector<Eigen::Vector3d>& shortly_before);
+
+/// Folds that are shut become mountains or valleys as their faces lie.
+void shut_as_ordered(Sheet& sheet, const std::vector<FaceOrder>& order);
+
+}  // namespace hada
