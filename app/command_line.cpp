@@ -76,6 +76,11 @@ void add_measuring(Commands& commands) {
                  add_out(command, a,
                          "lights file to write: .json, or .lp for directions alone "
                          "(default: lights.json)");
+                 command
+                     .add_option("--sphere", a.boxes,
+                                 "left, top, right and bottom of a box around a sphere, px; once "
+                                 "for each sphere (default: all that are found)")
+                     ->type_name("U0 V0 U1 V1");
                });
   commands.add("reconstruct", "Turn photographs into normals, albedo and height",
                "hada reconstruct photos/sheet --lights lights.json -o out/surface",

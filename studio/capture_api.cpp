@@ -53,8 +53,10 @@ HttpResponse CaptureApi::answer(const std::string& verb, const HttpRequest& requ
   }
   if (request.method == "GET" && verb == "picture") {
     const auto place = place_within(folder_, request.word("name"));
+    const std::string size = request.word("size", "480");
+    if (size != "480" && size != "1600") throw Error("a picture is shown with 480 or 1600 pixels");
     const ImageFile file = read_image(place);
-    const auto png = encode_png(thumbnail(file.image, file.floating, 480));
+    const auto png = encode_png(thumbnail(file.image, file.floating, std::stoi(size)));
     return {.type = "image/png",
             .body = std::string(png.begin(), png.end()),
             .headers = {{"X-Rows", std::to_string(file.image.rows())},

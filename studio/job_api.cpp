@@ -6,8 +6,11 @@
 #include <system_error>
 
 #include "app/material_file.h"
+#include "app/report/light_plot.h"
+#include "app/telling.h"
 #include "core/error.h"
 #include "io/json.h"
+#include "io/lights_file.h"
 #include "studio/folder.h"
 #include "studio/gate.h"
 
@@ -29,6 +32,37 @@ fs::path fresh_place(const fs::path& folder, const std::string& name) {
   return folder / name;
 }
 
+// Boxes of spheres as the command line takes them.
+void add_boxes(JsonObject& object, std::vector<std::string>& words) {
+  constexpr std::size_t most_spheres = 20;
+  constexpr double most_px = 1e6;
+  const Json& boxes = object.list("boxes");
+  const auto good = [](const Json& box) {
+    const auto in_range = [](const Json& x) {
+      return x.is_number() && x.get<double>() >= 0.0 && x.get<double>() <= most_px;
+    };
+    return box.is_array() && box.size() == 4 && std::all_of(box.begin(), box.end(), in_range);
+  };
+  if (boxes.size() > most_spheres || !std::all_of(boxes.begin(), boxes.end(), good)) {
+    object.fail("boxes", "must be at most 20 boxes [left, top, right, bottom] in pixels");
+  }
+  for (const Json& box : boxes) {
+    words.push_back("--sphere");
+    for (const Json& x : box) words.push_back(std::to_string(x.get<double>()));
+  }
+}
+
+/// A lights file, and what it looks like.
+std::string lights_answer(const fs::path& path) {
+  constexpr double magnified = 10.0;
+  const LightsFile file = read_lights(path);
+  return Json{{"file", Json::parse(text_of_file(path))},
+              {"magnified", magnified},
+              {"sigma_deg", direction_sigma_deg(file.lights)},
+              {"plot", light_plot({{"in force", file.lights}}, magnified)}}
+      .dump();
+}
+
 }  // namespace
 
 fs::path JobApi::fresh_result(const std::string& name) const {
@@ -43,15 +77,21 @@ void JobApi::start(const std::string& verb, const std::string& body) {
   JsonObject object(json, "the request");
   if (verb == "calibrate") {
     const std::string name = object.text("capture");
+    std::vector<std::string> words{program_, "calibrate", place_within(folder_, name).string(),
+                                   "-o", fresh_result("lights.json").string()};
+    if (object.has("boxes")) add_boxes(object, words);
     object.finish();
-    job_.start("lights of " + name, {program_, "calibrate", place_within(folder_, name).string(),
-                                     "-o", fresh_result("lights.json").string()});
+    job_.start("lights of " + name, words);
   } else if (verb == "reconstruct") {
     const std::string name = object.text("capture");
     const fs::path out = fresh_place(folder_, object.text("out"));
+    std::vector<std::string> words{program_, "reconstruct", place_within(folder_, name).string(),
+                                   "-o", out.string()};
+    if (object.flag("by_lights", false)) {
+      words.insert(words.end(), {"--lights", (scratch_.path() / "lights.json").string()});
+    }
     object.finish();
-    job_.start("reconstruct " + name,
-               {program_, "reconstruct", place_within(folder_, name).string(), "-o", out.string()});
+    job_.start("reconstruct " + name, words);
   } else if (verb == "fit") {
     const std::string material = object.text("material"), name = object.text("input");
     object.finish();
@@ -80,7 +120,7 @@ HttpResponse JobApi::answer(const std::string& verb, const HttpRequest& request)
   if (request.method == "GET" && (verb == "lights" || verb == "fit")) {
     const fs::path place = scratch_.path() / (verb + ".json");
     if (!fs::exists(place)) throw Error("there is no result of that work yet; start it");
-    return {.body = text_of_file(place)};
+    return {.body = verb == "lights" ? lights_answer(place) : text_of_file(place)};
   }
   if (request.method == "GET" && verb == "events") {
     const auto seen = std::make_shared<int>(-1);

@@ -22,10 +22,21 @@ std::vector<std::string> moved(Photographs photographs, const Calibration& calib
   return remarks_on_movement(linear.images, calibration.lights, spheres, linear.mask);
 }
 
+/// Hints in the place of those of the manifest, which keep kind and diameter if there are as many.
+std::vector<CaptureFile::SphereHint> hints_of(const std::vector<BoxPx>& boxes,
+                                              std::vector<CaptureFile::SphereHint> hints) {
+  if (hints.size() != boxes.size()) hints.assign(boxes.size(), {});
+  for (std::size_t i = 0; i < boxes.size(); ++i) hints[i].box = boxes[i];
+  return hints;
+}
+
 }  // namespace
 
 void calibrate_command(const CalibrateArguments& arguments, const Terminal& terminal) {
   Photographs photographs = load_folder(arguments.capture, terminal);
+  if (!arguments.boxes.empty()) {
+    photographs.file.spheres = hints_of(arguments.boxes, photographs.file.spheres);
+  }
   terminal.step("reading the lights off the spheres");
   const Calibration calibration = calibrate(photographs);
   const std::string text = lights_text(lights_file(calibration, photographs.camera.extent.unit));

@@ -31,6 +31,7 @@ figcaption { color: var(--soft); font-size: .87rem; line-height: 1.4; margin-top
 figure svg, figure img { display: block; width: 100%; height: auto; }
 svg { font: 12px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; }
 svg text { fill: currentColor; }
+svg text.soft { fill: var(--soft); }
 table { width: auto; } .row > table { align-self: start; }
 .row { display: grid; gap: 0 1.4rem; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); }
 .strip { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); }

@@ -32,7 +32,7 @@ std::string rings_of_tilt() {
     const double radius = horizon * tilt_deg / 90.0;
     svg += fmt::format(
         "<circle cx=\"{0}\" cy=\"{0}\" r=\"{1:.1f}\" fill=\"none\" stroke=\"var(--line)\"/>"
-        "<text x=\"{2:.1f}\" y=\"{3:.1f}\" style=\"fill:var(--soft)\" font-size=\"10\">{4}\u00b0"
+        "<text x=\"{2:.1f}\" y=\"{3:.1f}\" class=\"soft\" font-size=\"10\">{4}\u00b0"
         "</text>",
         middle, radius, middle + 3.0, middle - radius + 11.0, tilt_deg);
   }

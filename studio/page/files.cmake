@@ -1,6 +1,7 @@
 # The files of the page, one a line.
 set(HADA_PAGE_FILES
   api.js
+  capture/circles.js
   capture/room.js
   fold/camera.js
   fold/marks.js

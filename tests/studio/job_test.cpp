@@ -63,6 +63,14 @@ TEST(JobRequests, CalibrateReconstructAndLeaveNothingWhenCancelled) {
   EXPECT_EQ(status_of(post(studio, "api/job/calibrate", R"({"capture": "photos"})")), 200);
   EXPECT_EQ(wait()["state"], "done") << state();
   EXPECT_THAT(body_of(get(studio, "api/job/lights")), HasSubstr("lights/1"));
+  const std::string off = R"({"capture": "photos", "boxes": [[0, 0, 20, 20]]})";
+  EXPECT_EQ(status_of(post(studio, "api/job/calibrate", off)), 200);
+  EXPECT_EQ(wait()["state"], "failed") << state();
+  EXPECT_THAT(state()["lines"].back().get<std::string>(), HasSubstr("holds no sphere"));
+  for (const char* boxes : {"[[0, 0, 20]]", "7", "[[0, 0, 20, \"--help\"]]", "[[0, 0, 20, -1]]"}) {
+    const std::string body = R"({"capture": "photos", "boxes": )" + std::string(boxes) + "}";
+    EXPECT_EQ(status_of(post(studio, "api/job/calibrate", body)), 422) << boxes;
+  }
   const std::string reconstruct = R"({"capture": "photos", "out": "sheet"})";
   EXPECT_EQ(status_of(post(studio, "api/job/reconstruct", reconstruct)), 200);
   EXPECT_EQ(status_of(post(studio, "api/job/calibrate", R"({"capture": "photos"})")), 409);
