@@ -7,9 +7,8 @@
 
 namespace hada {
 
-/// Pairs of faces of the sheet as it lies that pass through each other: an edge of one pierces the
-/// inside of the other, by more than `tolerance` on every side. Faces that lie on each other, or
-/// touch, do not.
+/// Pairs of faces of the sheet as it lies that pass through each other by more than `tolerance`.
+/// Faces that lie on each other, or touch, do not.
 std::vector<std::array<int, 2>> crossing_faces(const Sheet& sheet, double tolerance = 1e-6);
 
 }  // namespace hada

@@ -46,11 +46,13 @@ void draw(Sheet& sheet, const std::vector<DrawnLine>& lines, const std::string& 
 }
 
 void squash(FoldState& state, const FoldStep& step) {
-  for (Vector3d& p : state.sheet.folded) p.z() *= step.share;
-  BarNetwork network = rigid_network(state.sheet, 0.0);
-  state.sheet.folded = relax(network, std::move(state.sheet.folded)).places;
-  state.sheet.fold_angles = edge_angles(state.sheet, state.sheet.folded);
-  state.flat = false;
+  Sheet& sheet = state.sheet;
+  const auto before = sheet.folded;
+  for (Vector3d& p : sheet.folded) p.z() *= step.share;
+  BarNetwork network = rigid_network(sheet, 0.0);
+  sheet.folded = relax(network, std::move(sheet.folded)).places;
+  sheet.fold_angles = edge_angles(sheet, sheet.folded);
+  settle_moved(state, before);
 }
 
 void turn_over(FoldState& state, const FoldStep& step) {
@@ -86,8 +88,13 @@ void swing_face(FoldState& state, const FoldStep& step, const std::string& where
     swing.most_steps = 2;
     swing.strain = 1e-3;
   }
-  state.sheet = swung(std::move(state.sheet), swing, where);
-  state.flat = false;
+  Swung result = swung(std::move(state.sheet), swing, state.order, where);
+  state.sheet = std::move(result.sheet);
+  if (result.met) {
+    const double degrees = result.angle * 180.0 / std::numbers::pi;
+    state.contact = {(*result.met)[0], (*result.met)[1], degrees};
+  }
+  settle_moved(state, result.shortly_before);
 }
 
 }  // namespace
@@ -99,6 +106,7 @@ FoldState folded_on(FoldState state, const FoldStep& step, const std::string& wh
     state.waiting.clear();
     state.order.clear();  // opened, no face lies on another
   }
+  state.contact.reset();
   switch (step.action) {
     case FoldAction::crease:
       state.waiting.push_back({step.from, step.to, Crease::flat});

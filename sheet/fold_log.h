@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,11 +71,19 @@ struct DrawnLine {
   Crease crease;
 };
 
+/// Two faces that met before a step had gone all its way, and how far it went.
+struct FoldContact {
+  int face = 0;
+  int other = 0;
+  double degrees = 0.0;
+};
+
 /// The sheet after a step.
 struct FoldState {
-  Sheet sheet;                     // `folded` is where it lies
-  std::vector<FaceOrder> order;    // of its layers
-  bool flat = true;                // all folds are open or shut
+  Sheet sheet;                              // `folded` is where it lies
+  std::vector<FaceOrder> order;             // of all faces that lie on each other
+  bool flat = true;                         // all folds are open or shut, and all faces level
+  std::optional<FoldContact> contact = {};  // of the step that led here
   std::vector<DrawnLine> waiting;  // drawn, and put on the sheet with the next step that moves it
 };
 

@@ -9,14 +9,11 @@
 
 #include "core/error.h"
 #include "sheet/arrangement.h"
+#include "sheet/kept_order.h"
 #include "sheet/layers.h"
 
 namespace hada {
-namespace {
-
 using Eigen::Vector2d;
-
-}  // namespace
 
 void settle_folds(FoldState& state, const FlatState& flat) {
   std::map<std::pair<int, int>, int> order_of;
@@ -85,6 +82,32 @@ std::string blocked_flat(FoldState& state, const std::string& where, int staying
 void flatten(FoldState& state, const std::string& where, int staying) {
   const std::string reason = blocked_flat(state, where, staying, {});
   if (!reason.empty()) throw Error(where + ": " + reason);
+}
+
+void settle_moved(FoldState& state, const std::vector<Eigen::Vector3d>& shortly_before) {
+  Sheet& sheet = state.sheet;
+  state.order = moved_orders(sheet, state.order, shortly_before);
+  shut_as_ordered(sheet, state.order);
+  const double level = 1e-7 * size_of(sheet.flat);  // where a turn ends when faces land
+  state.flat = std::all_of(sheet.folded.begin(), sheet.folded.end(),
+                           [&](const Eigen::Vector3d& p) { return std::abs(p.z()) < level; });
+  for (Eigen::Vector3d& p : sheet.folded) {
+    if (state.flat) p.z() = 0.0;
+  }
+}
+
+std::string order_flaw(const FoldState& state) {
+  if (!state.flat) return "";
+  FlatState flat = flat_state(state.sheet);
+  keep_in_place(flat, state.sheet, 0);
+  LayerOptions options;
+  options.count = false;
+  options.chosen = state.order;
+  const Layers layers = layer_orders(state.sheet, flat, options);
+  if (!layers.possible) return layers.reason;
+  const int open = layers.overlapping_pairs - int(state.order.size());
+  if (open == 0) return "";
+  return std::to_string(open) + " pairs of faces lie on each other and have no order";
 }
 
 }  // namespace hada

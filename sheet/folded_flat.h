@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sheet/flat_fold.h"
 #include "sheet/fold_log.h"
@@ -25,5 +26,15 @@ std::string blocked_flat(FoldState& state, const std::string& where, int staying
 /// The same without known orders.
 /// throws  Error with `where` also if the layers block each other
 void flatten(FoldState& state, const std::string& where, int staying = 0);
+
+/// After a movement: the orders of faces that lie on each other now, folds that are shut, and
+/// whether all lies level.
+///
+/// shortly_before  where vertices were when what came together was still apart
+void settle_moved(FoldState& state, const std::vector<Eigen::Vector3d>& shortly_before);
+
+/// What is wrong with the order of layers of a flat state: faces that lie on each other and have
+/// none, or an order in which paper would pass through paper. Nothing if all is well.
+std::string order_flaw(const FoldState& state);
 
 }  // namespace hada

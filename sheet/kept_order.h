@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,12 +8,6 @@
 
 /// What is known of the order of layers, kept while a sheet is cut and moved.
 namespace hada {
-
-/// A place that two faces cover which lie on each other in one plane: the middle of what they have
-/// in common. Nothing if they do not lie on each other.
-///
-/// Faces are convex. Planes that differ by less than 1e-6 of the sheet are one.
-std::optional<Eigen::Vector3d> common_place(const Sheet& sheet, int face, int other);
 
 /// Orders after faces were cut by creases: parts lie over others as the whole did.
 ///

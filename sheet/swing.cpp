@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "mechanics/bar_network.h"
 #include "sheet/arrangement.h"
+#include "sheet/contact.h"
 #include "sheet/flaps.h"
 #include "sheet/simulate.h"
 
@@ -19,7 +20,8 @@ using Eigen::Vector3d;
 using Faces = std::vector<bool>;
 
 constexpr double pi = std::numbers::pi;
-constexpr double largest_stage = pi / 36.0;  // in which what is linked follows
+constexpr double largest_stage = pi / 36.0;   // in which what is linked follows
+constexpr double least_stage = pi / 18000.0;  // to which the place of a contact is searched
 
 struct Axis {
   Vector3d from, along;  // along has unit length, the face to its left
@@ -89,18 +91,21 @@ bool is_pinned_among(const Swing& swing, const Faces& faces, bool turning) {
                      [&](int face) { return faces[std::size_t(face)] == turning; });
 }
 
-void turn_part(Sheet& sheet, const Swing& swing, const Axis& axis, const std::vector<int>& creases,
-               const Faces& faces, const std::string& where) {
+void turn_part(Swung& result, const Swing& swing, const std::vector<FaceOrder>& order,
+               const Axis& axis, const std::vector<int>& creases, const Faces& faces,
+               const std::string& where) {
+  Sheet& sheet = result.sheet;
   const bool held = is_pinned_among(swing, faces, true);
   if (held && is_pinned_among(swing, faces, false)) {
     throw Error(where + ": pins hold both sides of the axis; take one of them off");
   }
-  const Eigen::AngleAxisd turn(held ? -swing.angle : swing.angle, axis.along);
-  std::vector<bool> moves(sheet.folded.size(), false);
-  for (int f = 0; f < sheet.faces(); ++f) {
-    if (faces[std::size_t(f)] == held) continue;
-    for (const int v : sheet.corners_of(f)) moves[std::size_t(v)] = true;
-  }
+  Faces moving = faces;
+  if (held) moving.flip();
+  Reached reached =
+      turn_faces(sheet, order, moving, axis.from, axis.along, held ? -swing.angle : swing.angle);
+  result.angle = reached.share * swing.angle;
+  result.met = reached.met;
+  result.shortly_before = std::move(reached.shortly_before);
   for (const int e : creases) {
     // Of each crease one side turns; seen with it to the left, all turn about the same way or back.
     const int a = sheet.half(2 * e).face, b = sheet.half(2 * e + 1).face;
@@ -108,19 +113,15 @@ void turn_part(Sheet& sheet, const Swing& swing, const Axis& axis, const std::ve
     const int half = faces[std::size_t(a)] ? 2 * e : 2 * e + 1;
     const Vector3d along = sheet.folded[std::size_t(sheet.target(half))] -
                            sheet.folded[std::size_t(sheet.origin(half))];
-    const double change = along.dot(axis.along) > 0.0 ? swing.angle : -swing.angle;
+    const double change = along.dot(axis.along) > 0.0 ? result.angle : -result.angle;
     note_angle(sheet, e, sheet.fold_angles[std::size_t(e)] + change);
-  }
-  for (std::size_t v = 0; v < moves.size(); ++v) {
-    if (!moves[v]) continue;
-    Vector3d& place = sheet.folded[v];
-    if (axis.away(place).norm() > 1e-12) place = axis.from + turn * (place - axis.from);
   }
 }
 
 // The held face is led about the axis; all other points move as little as stiff faces allow.
-void turn_linked(Sheet& sheet, const Swing& swing, const Axis& axis, int half,
-                 const std::string& where) {
+void turn_linked(Swung& result, const Swing& swing, const std::vector<FaceOrder>& order,
+                 const Axis& axis, int half, const std::string& where) {
+  Sheet& sheet = result.sheet;
   BarNetwork network = rigid_network(sheet, 0.0);
   network.pinned.assign(sheet.folded.size(), false);
   std::vector<int> held = swing.pinned;
@@ -129,18 +130,37 @@ void turn_linked(Sheet& sheet, const Swing& swing, const Axis& axis, int half,
   for (const int face : held) {
     for (const int v : sheet.corners_of(face)) network.pinned[std::size_t(v)] = true;
   }
-  const int stages = std::max(1, int(std::ceil(std::abs(swing.angle) / largest_stage)));
-  const Eigen::AngleAxisd turn(swing.angle / stages, axis.along);
-  for (int stage = 0; stage < stages; ++stage) {
+  const auto led = [&](double angle) {
+    const Eigen::AngleAxisd turn(angle, axis.along);
+    auto places = sheet.folded;
     for (const int v : sheet.corners_of(swing.face)) {
-      Vector3d& place = sheet.folded[std::size_t(v)];
+      Vector3d& place = places[std::size_t(v)];
       if (axis.away(place).norm() > 1e-12) place = axis.from + turn * (place - axis.from);
     }
-    Relaxed relaxed = relax(network, std::move(sheet.folded), {.most_steps = swing.most_steps});
-    sheet.folded = std::move(relaxed.places);
+    Relaxed relaxed = relax(network, std::move(places), {.most_steps = swing.most_steps});
     if (std::max(relaxed.strain, relaxed.planarity) > swing.strain) {
       throw Error(where + ": the paper would stretch; what the face hangs on cannot follow so far");
     }
+    return std::move(relaxed.places);
+  };
+  // Faces that stretch a little may pass by as much.
+  ContactWatch watch(sheet, order, {}, std::max(1e-6, swing.strain) * size_of(sheet.flat));
+  result.shortly_before = sheet.folded;
+  double stage = swing.angle / std::max(1.0, std::ceil(std::abs(swing.angle) / largest_stage));
+  for (double left = swing.angle; std::abs(left) > least_stage;) {
+    auto places = led(stage);
+    const auto met = watch.meets(places);
+    if (met) result.met = met;
+    if (!met) {
+      watch.accept(places);
+      result.shortly_before = std::move(sheet.folded);
+      sheet.folded = std::move(places);
+      result.angle += stage;
+      left -= stage;
+    }
+    if (!result.met) continue;
+    if (std::abs(stage) < least_stage) break;
+    stage *= 0.5;  // towards the place where they meet
   }
   const auto angles = edge_angles(sheet, sheet.folded);
   for (int e = 0; e < sheet.edges(); ++e) {
@@ -154,7 +174,8 @@ void turn_linked(Sheet& sheet, const Swing& swing, const Axis& axis, int half,
 
 }  // namespace
 
-Sheet swung(Sheet sheet, const Swing& swing, const std::string& where) {
+Swung swung(Sheet sheet, const Swing& swing, const std::vector<FaceOrder>& order,
+            const std::string& where) {
   const int half = half_of(sheet, swing.face, swing.axis);
   if (sheet.half(half).face != swing.face || sheet.is_border(swing.axis)) {
     throw Error(where + ": the axis is no crease of the face that is held");
@@ -165,9 +186,10 @@ Sheet swung(Sheet sheet, const Swing& swing, const std::string& where) {
   const auto flap = flaps_of(sheet, Faces(std::size_t(sheet.faces()), true), creases);
   const Faces faces = turning(sheet, swing, axis, creases, flap);
   const bool parts = !faces[std::size_t(sheet.half(half ^ 1).face)];
-  if (parts) turn_part(sheet, swing, axis, creases, faces, where);
-  if (!parts) turn_linked(sheet, swing, axis, half, where);
-  return sheet;
+  Swung result{std::move(sheet)};
+  if (parts) turn_part(result, swing, order, axis, creases, faces, where);
+  if (!parts) turn_linked(result, swing, order, axis, half, where);
+  return result;
 }
 
 }  // namespace hada

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +21,24 @@ struct Swing {
   double strain = 1e-9;          // that counts as none
 };
 
-/// The sheet with a face turned about one of its creases.
+/// A sheet after a swing.
+struct Swung {
+  Sheet sheet;
+  double angle = 0.0;                                // that was reached, radians
+  std::optional<std::array<int, 2>> met = {};        // faces that met there, if it is not all
+  std::vector<Eigen::Vector3d> shortly_before = {};  // where vertices were not long before
+};
+
+/// The sheet with a face turned about one of its creases, as far as no face meets another.
 ///
 /// Where the creases along the axis part the paper, one side of it turns as it is: the other one if
 /// a pin holds the first. Where they do not, the faces are linked, and all others move as
 /// little as they can and stay stiff; the face beyond the axis stays, or those that are pinned.
 ///
+/// order   of faces that lie on each other
 /// throws  Error with `where` if the axis is no crease of the face, both sides are pinned, or what
 ///         is linked cannot follow
-Sheet swung(Sheet sheet, const Swing& swing, const std::string& where);
+Swung swung(Sheet sheet, const Swing& swing, const std::vector<FaceOrder>& order,
+            const std::string& where);
 
 }  // namespace hada

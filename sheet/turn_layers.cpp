@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
 #include "core/error.h"
+#include "sheet/contact.h"
 #include "sheet/crease.h"
 #include "sheet/flaps.h"
 #include "sheet/folded_flat.h"
@@ -74,17 +73,13 @@ void turn_layers(FoldState& state, const FoldStep& step, const std::string& wher
     }
     for (std::size_t f = 0; f < moving.size(); ++f) moving[f] = flap[f] == chosen;
   }
+  // What lies to the left of the line rises for positive angles.
   const double angle = step.degrees * std::numbers::pi / 180.0;
   const Vector3d from(step.from.x(), step.from.y(), 0.0), to(step.to.x(), step.to.y(), 0.0);
-  // What lies to the left of the line rises for positive angles.
-  const Eigen::AngleAxisd turn(angle, (to - from).normalized());
-  std::vector<bool> moves(sheet.folded.size(), false);
-  for (int f = 0; f < sheet.faces(); ++f) {
-    if (!moving[std::size_t(f)]) continue;
-    for (const int v : sheet.corners_of(f)) moves[std::size_t(v)] = true;
-  }
-  for (std::size_t v = 0; v < moves.size(); ++v) {
-    if (moves[v]) sheet.folded[v] = from + turn * (sheet.folded[v] - from);
+  const Reached reached =
+      turn_faces(sheet, state.order, moving, from, (to - from).normalized(), angle);
+  if (reached.met) {
+    state.contact = {(*reached.met)[0], (*reached.met)[1], reached.share * step.degrees};
   }
   const auto angles = edge_angles(sheet, sheet.folded);
   for (const int e : creases) {
@@ -94,7 +89,7 @@ void turn_layers(FoldState& state, const FoldStep& step, const std::string& wher
                                     : now > 0.0          ? Crease::valley
                                                          : Crease::mountain;
   }
-  state.flat = false;
+  settle_moved(state, reached.shortly_before);
 }
 
 }  // namespace hada

@@ -47,7 +47,7 @@ TEST(Swing, TurnsOneSideOfACreaseThatPartsThePaper) {
   const Sheet sheet = three_panels();
   Swing swing{.face = face_at(sheet, {0.9, 0.5}), .angle = 60.0 * degree};
   swing.axis = between(sheet, {0.9, 0.5}, {0.5, 0.5});
-  const Sheet up = swung(sheet, swing, "panels");
+  const Sheet up = swung(sheet, swing, {}, "panels").sheet;
   // It rises towards the print: a valley.
   EXPECT_NEAR(up.fold_angles[std::size_t(swing.axis)], 60.0 * degree, 1e-15);
   EXPECT_EQ(up.creases[std::size_t(swing.axis)], Crease::valley);
@@ -55,15 +55,15 @@ TEST(Swing, TurnsOneSideOfACreaseThatPartsThePaper) {
   EXPECT_LT((end - Vector3d(0.75 + 0.125, 0.5, 0.25 * std::sin(60.0 * degree))).norm(), 1e-15);
   // With a pin on it the rest of the sheet turns instead.
   swing.pinned = {swing.face};
-  const Sheet held = swung(sheet, swing, "panels");
+  const Sheet held = swung(sheet, swing, {}, "panels").sheet;
   EXPECT_EQ(folded_place(held, swing.face, {1.0, 0.5}), Vector3d(1.0, 0.5, 0.0));
   EXPECT_GT(folded_place(held, face_at(held, {0.1, 0.5}), {0.0, 0.5}).z(), 0.5);
   EXPECT_NEAR(held.fold_angles[std::size_t(swing.axis)], 60.0 * degree, 1e-15);
   swing.pinned.push_back(face_at(sheet, {0.1, 0.5}));
-  EXPECT_THROW(swung(sheet, swing, "panels"), Error);
+  EXPECT_THROW(swung(sheet, swing, {}, "panels"), Error);
   swing.axis = sheet.edges();
   swing.axis = between(sheet, {0.1, 0.5}, {0.5, 0.5});
-  EXPECT_THROW(swung(sheet, swing, "panels"), Error);  // no crease of that face
+  EXPECT_THROW(swung(sheet, swing, {}, "panels"), Error);  // no crease of that face
 }
 
 TEST(Swing, TakesAllLayersOrTheFlapAlone) {
@@ -72,13 +72,13 @@ TEST(Swing, TakesAllLayersOrTheFlapAlone) {
   insert_crease(sheet, sheet.folded, straight_cut({0.5, -1}, {0.5, 2}, 1e-9), Crease::flat);
   Swing half{.face = face_at(sheet, {0.9, 0.5}), .angle = 180.0 * degree};
   half.axis = between(sheet, {0.9, 0.5}, {0.1, 0.5});
-  sheet = swung(sheet, half, "half");
+  sheet = swung(sheet, half, {}, "half").sheet;
   insert_crease(sheet, sheet.folded, straight_cut({-1, 0.3}, {2, 0.3}, 1e-9), Crease::flat);
   Swing flap{.face = face_at(sheet, {0.1, 0.1}), .angle = 30.0 * degree};
   flap.axis = between(sheet, {0.1, 0.1}, {0.1, 0.5});
   // Both layers hang together along x = 0.5, so that one cannot turn alone.
   flap.all = true;
-  const Sheet both = swung(sheet, flap, "both");
+  const Sheet both = swung(sheet, flap, {}, "both").sheet;
   EXPECT_NEAR(folded_place(both, face_at(both, {0.9, 0.1}), {1.0, 0.0}).z(),
               folded_place(both, face_at(both, {0.1, 0.1}), {0.0, 0.0}).z(), 1e-12);
   EXPECT_LT(most_strain(both), 1e-12);
@@ -100,7 +100,7 @@ TEST(Swing, LeadsLinkedFacesAlongTheClosedForm) {
   for (const double further : {20.0, 40.0, -30.0}) {
     swing.angle = further * degree;
     const double before = sheet.fold_angles[std::size_t(swing.axis)];
-    sheet = swung(sheet, swing, "miura");
+    sheet = swung(sheet, swing, {}, "miura").sheet;
     const double major = sheet.fold_angles[std::size_t(swing.axis)];
     EXPECT_NEAR(major, before + swing.angle, 1e-9);
     const double minor = 2.0 * std::atan(std::cos(60.0 * degree) * std::tan(0.5 * major));
@@ -111,7 +111,7 @@ TEST(Swing, LeadsLinkedFacesAlongTheClosedForm) {
   swing.most_steps = 2;
   swing.strain = 1e-3;
   swing.angle = 5.0 * degree;
-  EXPECT_LT(most_strain(swung(sheet, swing, "miura")), 1e-3);
+  EXPECT_LT(most_strain(swung(sheet, swing, {}, "miura").sheet), 1e-3);
 }
 
 TEST(Swing, SaysWherePaperWouldStretch) {
@@ -119,7 +119,7 @@ TEST(Swing, SaysWherePaperWouldStretch) {
   const Sheet sheet = sheet_of(vertex_fold({0, 120, 240}, "MMM"), "stiff");
   Swing swing{.face = face_at(sheet, {1.2, 1.2}), .angle = 30.0 * degree};
   swing.axis = between(sheet, {1.2, 1.2}, {0.7, 1.0});
-  EXPECT_THROW(swung(sheet, swing, "stiff"), Error);
+  EXPECT_THROW(swung(sheet, swing, {}, "stiff"), Error);
 }
 
 }  // namespace
