@@ -12,6 +12,15 @@ void add_pattern(CLI::App& command, Arguments& a) {
   command.add_option("pattern", a.input, pattern_words)->required();
 }
 
+template <class Arguments>
+void add_thickness(CLI::App& command, Arguments& a) {
+  command
+      .add_option("--thickness", a.thickness,
+                  "layers of a mesh lie so far apart, in the file's unit (default: 1/2000 of its "
+                  "size; 0: in one plane)")
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_flat_folding(Commands& commands, CLI::App& fold) {
   commands.add_to(fold, "check",
                   "Say whether a crease pattern folds flat, and if not, where it fails",
@@ -36,6 +45,7 @@ void add_flat_folding(Commands& commands, CLI::App& fold) {
       "hada fold convert crane.cp -o crane.fold", fold_convert_command,
       [](CLI::App& command, FoldConvertArguments& a) {
         add_pattern(command, a);
+        add_thickness(command, a);
         add_out(command, a, "file to write: .fold, .obj, .stl, .ply, .gltf or .glb")->required();
       });
 }
@@ -64,10 +74,12 @@ void add_shapes(Commands& commands, CLI::App& fold) {
         command.add_option("log", a.input, "log of folds (JSON)")->required();
         command.add_option("--steps", a.steps, "how many of its steps: fewer undo the last")
             ->check(CLI::NonNegativeNumber);
-        command.add_flag("--frames", a.frames, "a picture after every step");
+        command.add_flag("--frames", a.frames,
+                         "a picture after every step, and its state as a frame of the FOLD file");
         command.add_option("--roll", a.roll_deg, "the picture's view, in its plane, degrees");
         command.add_option("--turn", a.turn_deg, "the picture's view, about its upright, degrees");
         command.add_option("--tilt", a.tilt_deg, "the picture's view, its top away, degrees");
+        add_thickness(command, a);
         add_out(command, a, "folder for model.fold, model.obj and pictures (default: replayed)");
       });
   commands.add_to(

@@ -181,7 +181,8 @@ HttpResponse FoldApi::exported(const std::string& format) const {
   }
   const Scratch scratch;
   const auto path = scratch.path() / ("sheet." + format);
-  write_mesh(path, mesh_of(fold_model(name, session_.state()).frames[0]));
+  const FoldFrame frame = fold_model(name, session_.state()).frames[0];
+  write_mesh(path, mesh_of(frame, paper_thickness(frame)));
   return download(name + "." + format, text_of_file(path));
 }
 

@@ -159,7 +159,8 @@ void fold_convert_command(const FoldConvertArguments& arguments, const Terminal&
   if (arguments.out.extension() == ".fold") {
     write_text(arguments.out, fold_text(file));
   } else {
-    write_mesh(arguments.out, mesh_of(file.frames[0]));
+    const double thickness = arguments.thickness.value_or(paper_thickness(file.frames[0]));
+    write_mesh(arguments.out, mesh_of(file.frames[0], thickness));
   }
   const FoldFrame& key = file.frames[0];
   terminal.say(fmt::format("{} vertices, {} edges, {} faces, {} frames", key.vertices.size(),

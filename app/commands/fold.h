@@ -37,6 +37,7 @@ void fold_states_command(const FoldStatesArguments& arguments, const Terminal& t
 struct FoldConvertArguments {
   std::filesystem::path input;
   std::filesystem::path out;
+  std::optional<double> thickness;
 };
 
 /// Writes a crease pattern or a folded form of any known format as another.

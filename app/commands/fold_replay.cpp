@@ -47,9 +47,11 @@ void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& t
   const auto states = replayed(log);
   const FoldState& last = states.back();
   Output output(arguments.out);
-  const FoldFile file = fold_model(log.title, last);
+  const FoldFile file =
+      arguments.frames ? fold_sequence(log.title, states) : fold_model(log.title, last);
+  const double thickness = arguments.thickness.value_or(paper_thickness(file.frames[0]));
   put_text(output, "model.fold", fold_text(file));
-  write_mesh(output, "model.obj", mesh_of(file.frames[0]));
+  write_mesh(output, "model.obj", mesh_of(file.frames[0], thickness));
   const SheetView view{arguments.roll_deg, arguments.turn_deg, arguments.tilt_deg, 480};
   put_picture(output, "model.png", sheet_picture(file.frames[0], view));
   for (std::size_t i = 0; arguments.frames && i < states.size(); ++i) {
@@ -70,6 +72,9 @@ void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& t
                            log.title, log.steps.size(), last.sheet.faces(), passing.pairs));
   terminal.say(fmt::format("the layers are in order in {} of the {} flat states",
                            passing.flat - passing.disordered, passing.flat));
+  if (!last.order.empty()) {
+    terminal.say(fmt::format("layers of model.obj lie {:.3g} apart", thickness));
+  }
   terminal.say("wrote " + arguments.out.string());
   terminal.result(Json{
       {"hada", "fold_replay/1"},

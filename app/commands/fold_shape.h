@@ -25,10 +25,11 @@ struct FoldReplayArguments {
   std::filesystem::path input;
   std::filesystem::path out = "replayed";
   int steps = -1;       // how many of the log; < 0: all
-  bool frames = false;  // a picture of every step
+  bool frames = false;  // a picture of every step, and its state in the FOLD file
   double roll_deg = 0.0;
   double turn_deg = 0.0;
   double tilt_deg = 0.0;
+  std::optional<double> thickness;
 };
 
 /// Repeats a recorded sequence of folds and writes the model, with pictures.

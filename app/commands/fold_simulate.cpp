@@ -69,7 +69,7 @@ void fold_simulate_command(const FoldSimulateArguments& arguments, const Termina
   if (arguments.out.extension() == ".fold") {
     write_text(arguments.out, fold_text(file));
   } else {
-    write_mesh(arguments.out, mesh_of(file.frames[0]));
+    write_mesh(arguments.out, mesh_of(file.frames[0], 0.0));
   }
   terminal.say(fmt::format("{} faces, {} steps: strain {:.1e}, out of plane {:.1e}", sheet.faces(),
                            shape.steps, shape.strain, shape.planarity));
