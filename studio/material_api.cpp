@@ -55,6 +55,18 @@ HttpResponse map_of(const Surface& surface, const std::string& map) {
 
 }  // namespace
 
+Surface MaterialApi::made(const Material& material, const Extent& extent, Seed seed) {
+  const auto* steel = std::get_if<Forged<>>(&material);
+  if (!steel) return synthesize(material, extent, seed);
+  // Forging takes half a second; etching what is forged already keeps up with a slider.
+  const Forging wanted{steel->sequence, steel->kernel, extent.rows, extent.cols, seed};
+  if (wanted != forging_) {
+    forged_ = forged_part(*steel, {extent.rows, extent.cols}, seed);
+    forging_ = wanted;
+  }
+  return surface_of(*steel, forged_, extent);
+}
+
 HttpResponse MaterialApi::answer(const std::string& verb, const HttpRequest& request) {
   if (request.method == "GET" && verb == "tables") return {.body = material_tables_text()};
   if (request.method == "POST" && verb == "open") {
@@ -81,7 +93,7 @@ HttpResponse MaterialApi::answer(const std::string& verb, const HttpRequest& req
     const std::string map = verb == "map" ? object.text("map") : "";
     object.finish();
     const std::lock_guard lock(busy_);
-    const Surface surface = synthesize(wanted.file.material, wanted.extent, wanted.seed);
+    const Surface surface = made(wanted.file.material, wanted.extent, wanted.seed);
     if (verb == "map") return map_of(surface, map);
     return {.type = "application/octet-stream", .body = surface_bytes(surface)};
   }

@@ -152,6 +152,25 @@ void hammer_rows(const Grid<float>& tall, Grid<float>& out, const std::string& s
   });
 }
 
+/// The lowest and the highest place.
+std::pair<float, float> ends_of(const Grid<float>& height) {
+  std::vector<std::pair<float, float>> ends(std::size_t(height.rows()));
+  for_each_index(height.rows(), [&](int row) {
+    float low = height(row, 0), high = low;
+    for (const float h : height.row(row)) {
+      low = std::min(low, h);
+      high = std::max(high, h);
+    }
+    ends[std::size_t(row)] = {low, high};
+  });
+  auto [low, high] = ends.front();
+  for (const auto& [a, b] : ends) {
+    low = std::min(low, a);
+    high = std::max(high, b);
+  }
+  return {low, high};
+}
+
 }  // namespace
 
 bool is_fold_sequence(std::string_view text) {
@@ -219,18 +238,27 @@ Grid<float> forged_block(const Forged<>& forged, const BlockSize& size, Seed see
   return hammered(std::move(pile), forged.sequence, hammer_kernel(forged.kernel));
 }
 
-Surface surface_of(const Forged<>& forged, const Extent& extent, Seed seed) {
+ForgedPart forged_part(const Forged<>& forged, const BlockSize& size, Seed seed) {
   const BlockSize paper;
-  Grid<float> grey =
+  const Grid<float> block =
       forged_block(forged,
-                   divisible({std::max(extent.rows, paper.rows), std::max(extent.cols, paper.cols)},
+                   divisible({std::max(size.rows, paper.rows), std::max(size.cols, paper.cols)},
                              forged.sequence),
                    seed);
-  quantise(grey, forged.levels, forged.step);
+  const auto [low, high] = ends_of(block);
+  return {crop(block, 0, 0, size.rows, size.cols), low, high};
+}
+
+Surface surface_of(const Forged<>& forged, const Extent& extent, Seed seed) {
+  return surface_of(forged, forged_part(forged, {extent.rows, extent.cols}, seed), extent);
+}
+
+Surface surface_of(const Forged<>& forged, ForgedPart part, const Extent& extent) {
+  quantise(part, forged.levels, forged.step);
   Surface surface;
   surface.extent = extent;
   surface.mask = full_mask(extent);
-  surface.albedo = Image(crop(grey, 0, 0, extent.rows, extent.cols));
+  surface.albedo = Image(std::move(part.height));
   surface.height = surface.albedo.planes.front();
   double sum = 0.0;
   for (const float value : surface.height) sum += value;
@@ -247,29 +275,23 @@ Surface surface_of(const Forged<>& forged, const Extent& extent, Seed seed) {
 
 void quantise(Grid<float>& height, double levels, double step) {
   if (height.empty()) return;
-  std::vector<std::pair<float, float>> ends(std::size_t(height.rows()));
-  for_each_index(height.rows(), [&](int row) {
-    float low = height(row, 0), high = low;
-    for (const float h : height.row(row)) {
-      low = std::min(low, h);
-      high = std::max(high, h);
-    }
-    ends[std::size_t(row)] = {low, high};
-  });
-  auto [low, high] = ends.front();
-  for (const auto& [a, b] : ends) {
-    low = std::min(low, a);
-    high = std::max(high, b);
-  }
+  const auto [low, high] = ends_of(height);
+  ForgedPart whole{std::move(height), low, high};
+  quantise(whole, levels, step);
+  height = std::move(whole.height);
+}
+
+void quantise(ForgedPart& part, double levels, double step) {
   // In double, in this order: the highest place is then exactly levels, not a rounding below it.
-  const double base = low, range = high > low ? double(high) - base : 1.0;
+  const double base = part.low, range = part.high > part.low ? part.high - base : 1.0;
   const double count = step > 0.0 ? levels / step : levels;
   const float unit = step > 0.0 ? float(step) : 1.0f;
-  for_each_index(height.rows(), [&](int row) {
+  for_each_index(part.height.rows(), [&](int row) {
     if (step > 0.0) {
-      for (float& h : height.row(row)) h = unit * float(int((double(h) - base) / range * count));
+      for (float& h : part.height.row(row))
+        h = unit * float(int((double(h) - base) / range * count));
     } else {
-      for (float& h : height.row(row)) h = float((double(h) - base) / range * count);
+      for (float& h : part.height.row(row)) h = float((double(h) - base) / range * count);
     }
   });
 }

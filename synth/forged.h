@@ -89,14 +89,29 @@ Grid<float> hammered(Grid<float> pile, const std::string& sequence, HammerKernel
 /// size  `divisible` by the sequence
 Grid<float> forged_block(const Forged<>& forged, const BlockSize& size, Seed seed);
 
+/// What a picture shows of a block, as it was hammered out, and how far the whole block reaches.
+struct ForgedPart {
+  Grid<float> height;
+  double low = 0.0, high = 0.0;  // of the whole block
+};
+
 /// The upper left part of a block of the paper's size, or of a larger one if the picture is.
+ForgedPart forged_part(const Forged<>& forged, const BlockSize& size, Seed seed);
+
+/// What etching makes of a part that was forged before, with the same folds.
 ///
 /// returns  as albedo the grey values of equation 5, as a file of 8 bits would store them (the sRGB
 ///          code is grey / 255); as height the same, etched `etch_mm` deep, zero-mean
+Surface surface_of(const Forged<>& forged, ForgedPart part, const Extent& extent);
+
+/// The same, forged and etched: `extent` of the upper left part of a block.
 Surface surface_of(const Forged<>& forged, const Extent& extent, Seed seed);
 
 /// Equation 5: grey values step floor((h - min) / (max - min) levels / step) in place of heights;
 /// with a step of 0, (h - min) / (max - min) levels.
 void quantise(Grid<float>& height, double levels, double step);
+
+/// The same of a part, whose whole has its min at `low` and its max at `high`.
+void quantise(ForgedPart& part, double levels, double step);
 
 }  // namespace hada
