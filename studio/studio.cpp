@@ -10,6 +10,7 @@
 #include "studio/job_api.h"
 #include "studio/material_api.h"
 #include "studio/page.h"
+#include "studio/solid_api.h"
 #include "studio/spectrum_api.h"
 #include "studio/surface_api.h"
 
@@ -42,6 +43,7 @@ struct Studio::Inside {
                       verb = path.substr(std::min(slash + 1, path.size()));
     if (room == "fold") return fold.answer(verb, request);
     if (room == "material") return material.answer(verb, request);
+    if (room == "solid") return solid.answer(verb, request);
     if (room == "surface") return surface.answer(verb, request);
     if (room == "spectrum") return spectrum.answer(verb, request);
     if (room == "capture") return capture.answer(verb, request);
@@ -56,6 +58,7 @@ struct Studio::Inside {
   Gate gate;
   FoldApi fold;
   MaterialApi material;
+  SolidApi solid;
   SurfaceApi surface;
   SpectrumApi spectrum;
   CaptureApi capture;

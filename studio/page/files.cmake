@@ -13,8 +13,13 @@ set(HADA_PAGE_FILES
   jobs.js
   listing.js
   main.js
+  materials/blade.js
+  materials/block.js
   materials/room.js
   materials/sliders.js
+  materials/solids.js
+  materials/stage.js
+  materials/worn.js
   parts.js
   plot.js
   spectrum/plots.js

@@ -4,6 +4,7 @@ import { attempt, make, part, saveAs, say } from '../parts.js';
 import { Maps } from '../surface/maps.js';
 import { SurfaceView } from '../surface/view.js';
 import { controls } from './sliders.js';
+import { Solids } from './solids.js';
 
 /** Which size of a pixel shows what a material is about, mm. @type {Record<string, number>} */
 const pitches = { wrinkle: 0.1, wood: 0.15, forged: 0.05, knit: 0.05 };
@@ -27,6 +28,12 @@ export async function openMaterials() {
   });
   const previews = newestOf(() => attempt(async () => {
     const start = performance.now();
+    if (solids.body) {
+      await solids.body.show(wanted());
+      part('material-facts').textContent = '';
+      part('room-material').dataset.solid = String(Number(part('room-material').dataset.solid ?? 0) + 1);
+      return say('');
+    }
     const maps = new Maps(await bytes('material/preview', wanted()));
     view.show(maps);
     say('');
@@ -39,6 +46,8 @@ export async function openMaterials() {
     previews.give(undefined);
   };
 
+  const solids = new Solids(make_);
+
   /** @param {any} values */
   const choose = (values) => {
     parameters = structuredClone(values);
@@ -50,6 +59,7 @@ export async function openMaterials() {
     table = tables.find((t) => t.name === names.value) ?? tables[0];
     unit = 'mm';
     part('material-pitch').value = String(pitches[table.name] ?? 0.1);
+    solids.offer(table.name);
     choose(table.defaults);
   });
   for (const id of ['material-size', 'material-pitch', 'material-seed']) part(id).addEventListener('change', make_);
@@ -68,6 +78,7 @@ export async function openMaterials() {
     table = found;
     names.value = found.name;
     unit = read.unit ?? 'mm';
+    solids.offer(table.name);
     if (read.input?.pitch) part('material-pitch').value = String(read.input.pitch);
     choose(read.parameters);
     part('material-open').value = '';
@@ -82,5 +93,6 @@ export async function openMaterials() {
       saveAs([await bytes('material/map', { ...wanted(), map })], `${table.name}_${map}.exr`);
     }));
   }
+  solids.offer(table.name);
   choose(table.defaults);
 }

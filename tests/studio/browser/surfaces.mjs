@@ -44,12 +44,40 @@ async function materials() {
       expect((await page.locator(`#material-fields [data-field="${field}"]`).count()) > 0, `${name} has ${field}`);
     }
     await shot(`material_${name}`);
+    await solid(name);
   }
   await page.selectOption('#material-name', 'forged');
   const sequence = page.locator('#material-fields [data-field=sequence]');
   await sequence.fill('nonsense');
   await sequence.press('Enter');
   await page.waitForFunction(() => document.getElementById('said').dataset.kind === 'error');
+}
+
+// Steel as a blade, wood as a block whose cut is dragged, a knit on a leg.
+async function solid(name) {
+  if (!['forged', 'wood', 'knit'].includes(name)) return;
+  const count = async () => Number((await page.getAttribute('#room-material', 'data-solid')) ?? 0);
+  const shown = async (change) => {
+    const before = await count();
+    await change();
+    await page.waitForFunction((n) => Number(document.getElementById('room-material').dataset.solid ?? 0) > n, before, { polling: 20, timeout: 60000 });
+    await page.waitForTimeout(300);
+    return (await page.locator('#material-solid canvas').screenshot()).toString('base64');
+  };
+  const first = await shown(() => page.selectOption('#material-body', name));
+  await shot(`solid_${name}`);
+  if (name === 'wood') {
+    const depth = await page.inputValue('#block-depth');
+    const box = await page.locator('#material-solid').boundingBox();
+    const dragged = await shown(async () => {
+      await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.45 * box.height);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.35 * box.height);
+      await page.mouse.up();
+    });
+    expect(dragged !== first && depth !== (await page.inputValue('#block-depth')), 'the cut follows the hand');
+  }
+  await made(() => page.selectOption('#material-body', ''));
 }
 
 async function surfaces() {
