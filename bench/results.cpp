@@ -21,6 +21,7 @@
 #include "bench/results_forged.h"
 #include "bench/results_knit.h"
 #include "bench/results_page.h"
+#include "bench/results_studio.h"
 #include "bench/results_wood.h"
 #include "bench/results_wrinkle.h"
 #include "core/quantile.h"
@@ -314,6 +315,8 @@ int main(int argc, char** argv) {
       {"fold", hada::fold_results},
       {"forged", hada::forged_results},
       {"knit", [] { return hada::knit_results(hada::data_folder()); }},
+      {"studio",
+       [] { return hada::studio_results(fs::path(HADA_BINARY_DIR) / "studio_figures.json"); }},
       {"wood", [] { return hada::wood_results(hada::data_folder()); }}};
   if (argc < 2) {
     std::fprintf(stderr, "usage: hada_results FILE.md [part ...]; parts:");

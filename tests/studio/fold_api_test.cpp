@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,53 +74,6 @@ TEST_F(FoldRequests, SayWhatCannotBeDone) {
               HasSubstr("no crease to turn about"));
   EXPECT_THAT(post(studio_, "api/fold/hold", down_to(5.0, 0.5).dump()), HasSubstr("no paper"));
   EXPECT_THAT(post(studio_, "api/fold/drop", "{}"), HasSubstr("\"at\":0"));
-}
-
-TEST_F(FoldRequests, AreAnsweredWhileAHandMoves) {
-  // The crane, unfolded into more creases: 150 faces.
-  ask("open", {{"name", "folds/crane.json"}});
-  Json state = ask("go", {{"at", 20}});
-  for (const double x : {0.35, 0.42, 0.46, 0.55}) {
-    state = ask("stroke", {{"does", "score"},
-                           {"eye", {x, 0.5, 9.0}},
-                           {"from", {x, -0.2, 0.0}},
-                           {"to", {x, 0.9, 0.0}}});
-  }
-  const std::size_t faces = state["faces"].size();
-  EXPECT_GE(faces, 150u);
-  Json held;
-  for (const double y : {0.6, 0.55, 0.65}) {
-    const std::string answer = post(studio_, "api/fold/hold", down_to(0.58, y).dump());
-    if (status_of(answer) == 200) held = Json::parse(body_of(answer));
-  }
-  ASSERT_FALSE(held.is_null());
-  Connection hand(studio_.port());
-  std::vector<double> aims, drags;
-  const auto timed = [&](const std::string& verb, const Json& body, std::vector<double>& times) {
-    const std::string text = post_text(studio_, "api/fold/" + verb, body.dump());
-    const auto start = std::chrono::steady_clock::now();
-    hand.say(text);
-    const std::string answer = hand.hear();
-    times.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count());
-    EXPECT_EQ(status_of(answer), 200) << answer;
-  };
-  for (int i = 0; i < 40; ++i) {
-    Json ray = {{"eye", {3.0, -3.0, 2.0}}, {"way", {-2.5 + 0.01 * i, 3.5, -1.9}}};
-    timed("drag", ray, drags);
-    Json aim = down_to(0.3 + 0.01 * i, 0.4);
-    aim.update({{"edge_parts", 4}, {"corner_parts", 4}, {"reach", 0.02}});
-    timed("aim", aim, aims);
-  }
-  for (auto* times : {&drags, &aims}) {
-    std::nth_element(times->begin(), times->begin() + 20, times->end());
-    RecordProperty(times == &drags ? "drag_ms" : "aim_ms", std::to_string((*times)[20]));
-    std::printf("%s, %zu faces: %.2f ms median\n", times == &drags ? "drag" : "aim", faces,
-                (*times)[20]);
-    // The goal is 5 ms; other work on the machine may take three quarters of it.
-    EXPECT_LT((*times)[20], 20.0);
-  }
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The log of folds as a list, and its player.
 import { post } from '../api.js';
-import { attempt, make, part } from '../parts.js';
+import { attempt, make, part, saveAs, say } from '../parts.js';
 
 /** @type {Record<string, string>} */
 const words = {
@@ -25,6 +25,7 @@ export class Steps {
     this.slider = /** @type {HTMLInputElement} */ (part('fold-time'));
     this.slider.addEventListener('input', () => attempt(() => this.go(Number(this.slider.value))));
     part('fold-play').addEventListener('click', () => attempt(() => this.play()));
+    part('fold-film').addEventListener('click', () => attempt(() => this.film()));
     part('fold-undo').addEventListener('click', () => attempt(() => this.go(this.at() - 1)));
     part('fold-redo').addEventListener('click', () => attempt(() => this.go(this.at() + 1)));
   }
@@ -63,6 +64,25 @@ export class Steps {
       this.playing = false;
       button.textContent = 'Play';
     }
+  }
+
+  /** Plays the whole log and saves what is seen as a film. */
+  async film() {
+    const canvas = /** @type {HTMLCanvasElement} */ (part('fold-canvas'));
+    const recorder = new MediaRecorder(canvas.captureStream(), { mimeType: 'video/webm', videoBitsPerSecond: 6e6 });
+    /** @type {Blob[]} */
+    const pieces = [];
+    recorder.addEventListener('dataavailable', ({ data }) => pieces.push(data));
+    const over = new Promise((resolve) => recorder.addEventListener('stop', resolve));
+    await this.go(0);
+    recorder.start();
+    say('The folding is played and filmed.');
+    await this.play();
+    await new Promise((resolve) => setTimeout(resolve, 2 * pause));
+    recorder.stop();
+    await over;
+    saveAs(pieces, `${this.state?.title || 'folding'}.webm`);
+    say('');
   }
 
   /** @param {FoldState} state */

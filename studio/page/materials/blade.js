@@ -11,7 +11,7 @@ const sky = { vertexShader: 'varying vec3 way; void main() { way = position; gl_
       vec3 w = normalize(way);
       float lamp = smoothstep(0.04, 0.0, abs(w.y - 0.42 - 0.1 * w.x)) * smoothstep(-0.2, 0.3, w.z);
       float side = smoothstep(0.10, 0.0, abs(w.x - 0.75)) * smoothstep(-0.5, 0.5, w.y);
-      gl_FragColor = vec4(vec3(0.02 + 0.9 * smoothstep(-0.5, 0.5, w.y + 0.25 * w.x) + 5.0 * lamp + 3.0 * side) * vec3(0.97, 1.0, 1.06), 1.0);
+      gl_FragColor = vec4(vec3(0.10 + 0.9 * smoothstep(-0.7, 0.5, w.y + 0.25 * w.x) + 5.0 * lamp + 3.0 * side) * vec3(0.97, 1.0, 1.06), 1.0);
     }` };
 
 function room() {
@@ -25,7 +25,7 @@ export class Blade {
   constructor(stage) {
     this.stage = stage;
     this.hamon = 0; // how high the edge is hardened, a share of the blade
-    this.exaggeration = 1; // of the slopes of the grain
+    this.exaggeration = 10; // of the slopes of the grain: etching is microns deep
     /** @type {THREE.Mesh | null} */
     this.mesh = null;
     this.material = new THREE.MeshStandardMaterial({ metalness: 1, roughness: 0.03 });

@@ -73,6 +73,7 @@ export class Solids {
     const stage = name ? this.prepared() : null;
     const all = { forged: this.blade, wood: this.block, knit: this.worn };
     this.body = all[/** @type {keyof typeof all} */ (name)] ?? null;
+    if (this.blade && this.body === this.blade) part('material-exaggeration').value = String(this.blade.exaggeration);
     await this.body?.enter();
     stage?.resize();
     this.again();

@@ -23,17 +23,15 @@ export async function openStudio(folder) {
   if (!chromium) skip('no chromium is installed');
   const { chromium: engine } = await import(playwright);
   mkdirSync(pictures, { recursive: true });
+  const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+  const browser = await engine.launch({ executablePath: chromium, args: flags })
+    .catch((error) => skip(`chromium does not start here: ${error.message.split('\n')[0]}`));
+  const begun = Date.now() / 1000;
   const server = spawn(program, ['studio', '--no-browser', '--json', folder], { stdio: ['ignore', 'pipe', 'inherit'] });
   const address = await new Promise((resolve, reject) => {
     server.stdout.once('data', (text) => resolve(JSON.parse(text).address));
     server.once('exit', (code) => reject(new Error(`hada studio ended with ${code}`)));
   });
-  const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-  const browser = await engine.launch({ executablePath: chromium, args: flags })
-    .catch((error) => {
-      server.kill();
-      skip(`chromium does not start here: ${error.message.split('\n')[0]}`);
-    });
   const page = await browser.newPage({ viewport: { width: 1120, height: 700 } });
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.message));
@@ -47,7 +45,7 @@ export async function openStudio(folder) {
     await browser.close();
     server.kill();
   };
-  return { page, address, faults, close };
+  return { page, address, faults, close, begun };
 }
 
 /** @param {boolean} holds @param {string} what */

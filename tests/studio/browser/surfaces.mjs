@@ -138,28 +138,14 @@ async function compared() {
   await page.uncheck('#surface-space');
 }
 
-// Every control has a name, and the keyboard reaches it.
-async function accessible() {
-  const nameless = await page.evaluate(() =>
-    [...document.querySelectorAll('button, input, select, textarea, [role=application]')]
-      .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.length))
-      .map((e) => e.outerHTML));
-  expect(nameless.length === 0, `every control has a name: ${nameless.join(' ')}`);
-  const unreached = await page.evaluate(() =>
-    [...document.querySelectorAll('button, input, select, textarea, [role=application]')]
-      .filter((e) => e.tabIndex < 0 && e.getAttribute('role') !== 'tab').map((e) => e.outerHTML));
-  expect(unreached.length === 0, `the keyboard reaches every control: ${unreached.join(' ')}`);
-}
-
 try {
   await page.waitForSelector('#room-fold[data-at]');
   await materials();
   await surfaces();
   await compared();
-  await accessible();
   const faults = studio.faults.filter((fault) => !fault.includes('422')); // the nonsense, as it should be
   expect(faults.length === 0, `no fault in the page: ${faults.join('; ')}`);
-  console.log('materials, surfaces and names as they should be');
+  console.log('materials and surfaces as they should be');
 } catch (error) {
   await shot('failed_surfaces');
   console.error(error.message);
