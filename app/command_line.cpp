@@ -302,6 +302,7 @@ Request parse_command_line(int count, const char* const* words, void (*more)(Com
   add_virtual(commands);
   add_folding(commands);
   add_knitting(commands);
+  add_wood(commands);
   if (more) more(commands);
   try {
     commands.app().parse(count, words);

@@ -95,4 +95,7 @@ void add_folding(Commands& commands);
 /// Declares `hada knit` and what it can do.
 void add_knitting(Commands& commands);
 
+/// Declares `hada block`.
+void add_wood(Commands& commands);
+
 }  // namespace hada

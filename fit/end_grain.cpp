@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "fit/absorbance.h"
 #include "fit/pith.h"
 #include "fit/ring_edges.h"
 #include "fit/ring_radii.h"
@@ -13,7 +14,6 @@
 namespace hada {
 namespace {
 
-constexpr float darkest = 0.01f;       // brightness that still counts
 constexpr double least_seen = 0.25;    // share of its sectors that a ring must be seen in
 constexpr int most_rounds = 8;         // of laying flat and fitting
 constexpr double rough_rays_px = 3.4;  // distance of rays as long as the shape is not yet known
@@ -21,13 +21,6 @@ constexpr double least_gain = 10.0;    // of the information criterion, for more
 constexpr double at_rest_px = 0.3;     // by which the pith may still move
 constexpr double sharp_px = 0.15;      // scatter that a shape cannot be blamed for
 constexpr int highest_level = 4;
-
-/// The logarithm of the brightness: proportional to how much the wood absorbs.
-Grid<float> absorbance(const Grid<float>& brightness) {
-  Grid<float> map = brightness;
-  for (float& value : map) value = std::log(std::max(value, darkest));
-  return map;
-}
 
 /// Lobes that a stem of this complexity may have, all flat.
 std::vector<GrowthLobe<>> lobes_of(int level, const Unrolled& flat) {

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/quantile.h"
+#include "fit/absorbance.h"
 #include "fit/pith.h"
 #include "measure/line_field.h"
 
@@ -16,7 +17,6 @@ namespace hada {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr float darkest = 0.01f;       // brightness that still counts
 constexpr int fewest_parts = 12;       // that must show fibres
 constexpr int fewest_directions = 50;  // of rings, to ask where they meet
 constexpr double least_gain = 12.0;    // of the information criterion, for a period
@@ -111,13 +111,11 @@ double left_by_mean(double width, double length) {
   return half < 1e-6 ? 1.0 : std::sin(half) / half;
 }
 
-Grid<float> absorbance(const Surface& surface) {
+Grid<float> absorbance_of(const Surface& surface) {
   if (surface.albedo.empty()) {
     throw Error("wood: the surface has no albedo; give a picture of a face");
   }
-  auto map = luminance(surface.albedo);
-  for (float& value : map) value = std::log(std::max(value, darkest));
-  return map;
+  return absorbance(luminance(surface.albedo));
 }
 
 /// Parts so small that there are some dozens of them.
@@ -178,9 +176,13 @@ FaceGrain grain_of(const std::vector<Streak>& seen, const Extent& extent) {
 
 }  // namespace
 
-FaceGrain face_grain(const Surface& surface) {
-  const auto seen =
-      streaks(absorbance(surface), surface.mask, surface.extent, tiles_for(surface.extent));
+FaceGrain face_grain(const Surface& surface, const StreakReading& reading) {
+  auto seen =
+      streaks(absorbance_of(surface), surface.mask, surface.extent, tiles_for(surface.extent));
+  if (reading) {
+    for (Streak& streak : seen) streak.slope = reading(streak);
+    std::erase_if(seen, [](const Streak& streak) { return std::isnan(streak.slope); });
+  }
   if (int(seen.size()) < fewest_parts) {
     throw Error(
         "wood: too few fibres can be seen on this face; give a sharp picture with the stem "
@@ -194,7 +196,7 @@ FaceGrain face_grain(const Surface& surface) {
 bool looks_like_a_face(const Surface& surface) {
   constexpr double far = 6.0;          // diagonals to where lines meet that run side by side
   constexpr double least_share = 0.2;  // of the parts must show fibres
-  const auto map = absorbance(surface);
+  const auto map = absorbance_of(surface);
   const auto seen = streaks(map, surface.mask, surface.extent, tiles_for(surface.extent));
   if (int(seen.size()) < fewest_parts ||
       double(seen.size()) < least_share * parts_of(surface.extent))

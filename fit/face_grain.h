@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/surface.h"
@@ -28,8 +29,12 @@ struct FaceGrain {
   int asked = 0;         // parts that were looked at
 };
 
-/// throws  Error if there is no albedo, or fewer than 12 parts of the picture show fibres
-FaceGrain face_grain(const Surface& surface);
+/// What the slope of a part is taken for, NaN to leave it out.
+using StreakReading = std::function<double(const Streak&)>;
+
+/// reading  the slope as it is seen, if empty
+/// throws   Error if there is no albedo, or fewer than 12 parts of the picture show fibres
+FaceGrain face_grain(const Surface& surface, const StreakReading& reading = {});
 
 /// Whether the picture shows a face and no end grain: fibres run up it, and its lines run side by
 /// side where rings would meet in a pith.

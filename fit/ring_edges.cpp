@@ -88,25 +88,27 @@ std::vector<double> slopes_along(std::span<const float> values, double step_px, 
   return slopes;
 }
 
-RingEdge middle_of_rise(const RingEdge& edge, const Unrolled& flat, double pitch) {
+double middle_of_rise(std::span<const float> values, double index, double step_px) {
   constexpr double reach_px = 4.0;  // on both sides, of the dark and of the light
-  const auto values = flat.values.row(edge.sector);
-  const int middle = int(std::lround((edge.rho - flat.first) / flat.step));
-  const int reach = int(std::lround(reach_px * pitch / flat.step));
-  if (middle < reach || middle + reach >= int(values.size())) return edge;
+  const int middle = int(std::lround(index));
+  const int reach = int(std::lround(reach_px / step_px));
+  if (middle < reach || middle + reach >= int(values.size())) return index;
   const auto at = [&](int i) { return double(values[std::size_t(i)]); };
   int dark = middle, light = middle;
   while (dark > middle - reach && !(at(dark - 1) > at(dark))) --dark;
   while (light < middle + reach && !(at(light + 1) < at(light))) ++light;
   const double half = 0.5 * (at(dark) + at(light));
   for (int i = dark; i < light; ++i) {
-    if (at(i) <= half && at(i + 1) > half) {
-      RingEdge moved = edge;
-      moved.rho = flat.rho(i + (half - at(i)) / (at(i + 1) - at(i)));
-      return moved;
-    }
+    if (at(i) <= half && at(i + 1) > half) return i + (half - at(i)) / (at(i + 1) - at(i));
   }
-  return edge;
+  return index;
+}
+
+RingEdge middle_of_rise(const RingEdge& edge, const Unrolled& flat, double pitch) {
+  RingEdge moved = edge;
+  const double index = (edge.rho - flat.first) / flat.step;
+  moved.rho = flat.rho(middle_of_rise(flat.values.row(edge.sector), index, flat.step / pitch));
+  return moved;
 }
 
 std::vector<std::vector<RingEdge>> ring_edges(const Unrolled& flat, double pitch, double blur_px) {

@@ -29,6 +29,9 @@ std::vector<double> slopes_along(std::span<const float> values, double step_px, 
 /// it: unlike the steepest place, that does not depend on how fast the latewood darkened.
 RingEdge middle_of_rise(const RingEdge& edge, const Unrolled& flat, double pitch);
 
+/// The same of a profile: `index` moved, in samples that lie `step_px` apart.
+double middle_of_rise(std::span<const float> values, double index, double step_px);
+
 /// Edges that follow each other from sector to sector: pieces of one ring.
 using RingChain = std::vector<RingEdge>;
 

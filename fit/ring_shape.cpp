@@ -2,84 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include <Eigen/Cholesky>
 
 #include "core/quantile.h"
+#include "fit/growth_local.h"
 
 namespace hada {
 namespace {
 
-constexpr double lobe_prior = 0.08;  // a typical amplitude of order 2; others by 2 / order
 constexpr int rounds = 12;
 constexpr double at_rest = 1e-3;        // relative change of the scatter
 constexpr double smallest_unit = 0.05;  // of a relative scatter
 constexpr double loss_scale = 2.0;      // scatters, of the Cauchy loss
 constexpr int longest_lag = 12;         // sectors over which scatter may hang together
-
-Eigen::VectorXd packed(const GrowthFrame& frame) {
-  Eigen::VectorXd state(2 + 2 * Eigen::Index(frame.lobes.size()));
-  state.head<2>() = frame.pith;
-  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
-    state[Eigen::Index(2 + 2 * l)] = frame.lobes[l].cosine;
-    state[Eigen::Index(3 + 2 * l)] = frame.lobes[l].sine;
-  }
-  return state;
-}
-
-GrowthFrame unpacked(GrowthFrame frame, const Eigen::VectorXd& state) {
-  frame.pith = state.head<2>();
-  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
-    frame.lobes[l].cosine = state[Eigen::Index(2 + 2 * l)];
-    frame.lobes[l].sine = state[Eigen::Index(3 + 2 * l)];
-  }
-  return frame;
-}
-
-/// Effective radius of a place, and its derivatives with respect to the packed frame.
-struct Local {
-  double rho = 0.0;
-  Eigen::VectorXd slopes;
-};
-
-/// Cosine and sine of every multiple of an angle, from those of the angle itself.
-class Multiples {
- public:
-  Multiples(double cosine, double sine) : turns_{{1.0, 0.0}}, turn_(cosine, sine) {}
-
-  const std::complex<double>& operator()(double order) {
-    while (double(turns_.size()) <= order) turns_.push_back(turns_.back() * turn_);
-    return turns_[std::size_t(order)];
-  }
-
- private:
-  std::vector<std::complex<double>> turns_;
-  std::complex<double> turn_;
-};
-
-Local local_at(const GrowthFrame& frame, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d arm = place - frame.pith;
-  const double r = std::max(arm.norm(), 1e-12);
-  const Eigen::Vector2d outward = arm / r, along(-outward.y(), outward.x());
-  Multiples multiples(outward.x(), outward.y());
-  Local local{0.0, Eigen::VectorXd(2 + 2 * Eigen::Index(frame.lobes.size()))};
-  double factor = 1.0, by_angle = 0.0, by_radius = 0.0;
-  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
-    const auto& lobe = frame.lobes[l];
-    const double share = share_at(lobe, r);
-    const auto turn = multiples(lobe.order);
-    const double height = lobe.cosine * turn.real() + lobe.sine * turn.imag();
-    factor += share * height;
-    by_angle += share * lobe.order * (lobe.sine * turn.real() - lobe.cosine * turn.imag());
-    if (share > 0.0 && share < 1.0) by_radius += height / (lobe.to_mm - lobe.from_mm);
-    local.slopes[Eigen::Index(2 + 2 * l)] = r * share * turn.real();
-    local.slopes[Eigen::Index(3 + 2 * l)] = r * share * turn.imag();
-  }
-  local.rho = r * factor;
-  local.slopes.head<2>() = -(factor + r * by_radius) * outward - by_angle * along;
-  return local;
-}
 
 /// What the normal equations are made of, the radii already eliminated.
 struct Reduced {
@@ -99,7 +35,7 @@ Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFra
   Eigen::MatrixXd rows(size, Eigen::Index(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto ring = std::size_t(points[i].ring);
-    const auto [rho, slope] = local_at(frame, points[i].place);
+    const auto [rho, slope] = growth_at(frame, points[i].place);
     sums.weight[ring] += weights[i];
     sums.mean[ring] += weights[i] * rho;
     sums.slope[ring] += weights[i] * slope;
@@ -116,16 +52,6 @@ Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFra
     sums.right -= w * sums.mean[ring] * sums.slope[ring];
   }
   return sums;
-}
-
-/// 1 over the variance that the prior leaves each lobe, 0 for the pith.
-Eigen::VectorXd prior_of(const GrowthFrame& frame) {
-  Eigen::VectorXd precision = Eigen::VectorXd::Zero(packed(frame).size());
-  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
-    const double typical = lobe_prior * 2.0 / std::max(frame.lobes[l].order, 2.0);
-    precision.segment<2>(Eigen::Index(2 + 2 * l)).setConstant(1.0 / (typical * typical));
-  }
-  return precision;
 }
 
 /// How many neighbours on a ring scatter as one: 1 + 2 sum of their correlations.
@@ -161,12 +87,12 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
                        Scatter scatter) {
   RingShape shape;
   shape.frame = start;
-  const Eigen::VectorXd prior = prior_of(start);
+  const Eigen::VectorXd prior = growth_prior(start);
   std::vector<double> rho(points.size()), residuals(points.size()), weights(points.size(), 1.0);
   std::vector<double> unit(points.size(), 1.0);  // of the scatter of each point
   const auto look = [&] {
     for (std::size_t i = 0; i < points.size(); ++i)
-      rho[i] = local_at(shape.frame, points[i].place).rho;
+      rho[i] = growth_at(shape.frame, points[i].place).rho;
     // The median of a ring does not mind points of another that were taken for its own.
     std::vector<std::vector<double>> of_ring{std::size_t(rings)};
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -16,17 +16,6 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr int fewest_rays = 3;  // that a median is taken of
 
-/// Bilinear; NaN next to the outside.
-float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
-  const int row = int(std::floor(pixel.x())), col = int(std::floor(pixel.y()));
-  if (row < 0 || col < 0 || row + 1 >= map.rows() || col + 1 >= map.cols()) return nothing;
-  if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) || !mask(row + 1, col + 1))
-    return nothing;
-  const float v = float(pixel.x() - row), u = float(pixel.y() - col);
-  return (1.0f - v) * ((1.0f - u) * map(row, col) + u * map(row, col + 1)) +
-         v * ((1.0f - u) * map(row + 1, col) + u * map(row + 1, col + 1));
-}
-
 /// The radii of all columns in one direction, exact at every eighth of them.
 std::vector<double> radii_along(const Unrolled& flat, int cols, const GrowthFrame& frame,
                                 double theta) {
@@ -86,6 +75,16 @@ View view_of(const Mask& mask, const Extent& extent, const GrowthFrame& frame) {
 }
 
 }  // namespace
+
+float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
+  const int row = int(std::floor(pixel.x())), col = int(std::floor(pixel.y()));
+  if (row < 0 || col < 0 || row + 1 >= map.rows() || col + 1 >= map.cols()) return nothing;
+  if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) || !mask(row + 1, col + 1))
+    return nothing;
+  const float v = float(pixel.x() - row), u = float(pixel.y() - col);
+  return (1.0f - v) * ((1.0f - u) * map(row, col) + u * map(row, col + 1)) +
+         v * ((1.0f - u) * map(row + 1, col) + u * map(row + 1, col + 1));
+}
 
 Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent,
                   const GrowthFrame& frame, const UnrollOptions& options) {

@@ -44,6 +44,9 @@ struct UnrollOptions {
   double ray_px = 1.7;      // distance between rays at the rim
 };
 
+/// `map` at `pixel` (row, col), bilinear; NaN where a neighbour is outside the mask.
+float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel);
+
 /// The sectors that see the picture; the median over rays takes away pores and wood rays.
 ///
 /// throws  Error if the frame sees no picture

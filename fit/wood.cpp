@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "core/quantile.h"
-#include "fit/end_grain.h"
-#include "fit/face_grain.h"
 #include "fit/ring_colours.h"
 
 namespace hada {
@@ -17,16 +15,18 @@ constexpr double boundary_px = 0.35;
 constexpr double lattice_px = 0.03;
 constexpr double well_seen = 0.5;  // share of the sectors of a ring
 
-/// A sigma that says nothing: that of a field that may be anything within its bounds, at most as
-/// large as ordinary wood differs.
-Wood<> unknown() {
-  Wood<> sigma;
+/// A fit before anything is seen. Its sigma is that of fields that may be anything within their
+/// bounds.
+Fit<Wood<>> nothing_known() {
+  Fit<Wood<>> fit;
+  fit.starts = fit.agreeing = 1;
+  Wood<>& sigma = fit.sigma;
   visit_fields(sigma, [](const std::string&, const auto& field, double& value) {
     value = (field.high - field.low) / std::sqrt(12.0);
   });
   sigma.cut_origin_mm = sigma.cut_right = sigma.cut_up = {0.0, 0.0, 0.0};  // the frame: by choice
   sigma.lobes.clear();
-  return sigma;
+  return fit;
 }
 
 std::vector<double> as_list(const std::array<double, 3>& colour) {
@@ -157,15 +157,26 @@ void add(std::vector<std::string>& remarks, const std::vector<std::string>& more
 
 }  // namespace
 
+void add_face(Fit<Wood<>>& fit, const FaceGrain& grain) {
+  set_grain(fit, grain);
+  add(fit.remarks, remarks_on(grain));
+}
+
+Fit<Wood<>> wood_of(const EndGrain& grain, const Surface& surface) {
+  Fit<Wood<>> fit = nothing_known();
+  set_shape(fit, grain, surface.extent.pitch);
+  set_colours(fit, surface, grain);
+  fit.remarks = remarks_on(grain);
+  return fit;
+}
+
 Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options) {
-  Fit<Wood<>> fit;
-  fit.sigma = unknown();
-  fit.starts = fit.agreeing = 1;
   const bool is_face =
       options.view == WoodView::face ||
       (options.view == WoodView::automatic && !options.face && looks_like_a_face(surface));
   if (is_face) {
     const FaceGrain grain = face_grain(surface);
+    Fit<Wood<>> fit = nothing_known();
     set_face(fit, surface);
     set_grain(fit, grain);
     fit.remarks = {
@@ -174,14 +185,9 @@ Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options) {
     add(fit.remarks, remarks_on(grain));
     return fit;
   }
-  const EndGrain grain = end_grain(surface);
-  set_shape(fit, grain, surface.extent.pitch);
-  set_colours(fit, surface, grain);
-  fit.remarks = remarks_on(grain);
+  Fit<Wood<>> fit = wood_of(end_grain(surface), surface);
   if (options.face) {
-    const FaceGrain lean = face_grain(*options.face);
-    set_grain(fit, lean);
-    add(fit.remarks, remarks_on(lean));
+    add_face(fit, face_grain(*options.face));
   } else {
     fit.remarks.insert(
         fit.remarks.begin(),

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/surface.h"
+#include "fit/end_grain.h"
+#include "fit/face_grain.h"
 #include "fit/fit.h"
 #include "synth/wood.h"
 
@@ -29,5 +31,12 @@ struct WoodFitOptions {
 /// z is 0 at its centre.
 /// throws  what `end_grain` and `face_grain` do
 Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options = {});
+
+/// Writes into `fit` how fibres lean on a tangential face that is seen from outside.
+void add_face(Fit<Wood<>>& fit, const FaceGrain& grain);
+
+/// The same of an end grain that has been read already: `grain` is what `end_grain` says of
+/// `surface`.
+Fit<Wood<>> wood_of(const EndGrain& grain, const Surface& surface);
 
 }  // namespace hada

@@ -9,7 +9,9 @@
 #include "core/field.h"
 #include "core/random.h"
 #include "core/surface.h"
+#include "synth/cut.h"
 #include "synth/growth.h"
+#include "synth/ripples.h"
 
 namespace hada {
 
@@ -70,8 +72,14 @@ struct Wood {
 /// cut_up; the albedo has three planes, there is no height. `seed` decides wobble, fluctuation,
 /// fibres and vessels.
 ///
+/// ripples  how this one stem departs from what `wood` can say
+/// throws   Error if cut_right and cut_up do not span a plane
+Surface surface_of(const Wood<>& wood, const Extent& extent, Seed seed,
+                   const Ripples& ripples = {});
+
+/// The plane that `wood` says it is cut along.
 /// throws  Error if cut_right and cut_up do not span a plane
-Surface surface_of(const Wood<>& wood, const Extent& extent, Seed seed);
+Cut cut_of(const Wood<>& wood);
 
 /// The same stem, the centre of its cut moved within the plane: by[0] mm along x of the picture,
 /// by[1] along y.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "synth/fractal.h"
 
@@ -34,13 +35,14 @@ double median_width(const std::vector<double>& radii) {
 
 }  // namespace
 
-WoodSolid::WoodSolid(const Wood<>& wood, Seed seed)
+WoodSolid::WoodSolid(const Wood<>& wood, Seed seed, Ripples ripples)
     : wood_(wood),
       wobble_(hash(seed, 1)),
       fluctuation_(hash(seed, 2)),
       fibres_(hash(seed, 3)),
       scattered_(hash(seed, 4)),
-      boundary_(hash(seed, 5)) {
+      boundary_(hash(seed, 5)),
+      ripples_(std::move(ripples)) {
   const auto& radii = wood_.ring_radii_mm;
   usual_width_ = median_width(radii);
   if (!radii.empty() && radii.front() > 1.6 * usual_width_)
@@ -115,6 +117,7 @@ WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
   place.r = std::sqrt(dx * dx + dy * dy);
   place.theta = std::atan2(dy, dx);
   place.rho = effective_radius(wood_.lobes, place.r, place.theta) + wood_.taper * z;
+  place.rho += ripples_.height_at(at);
   if (wood_.wobble_mm > 0.0) {
     // Looked up along the circle, so that it closes; it dies out towards the pith.
     const double around = place.r / (place.r + usual_width_);

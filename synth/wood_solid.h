@@ -8,13 +8,10 @@
 
 namespace hada {
 
-/// A place in the stem, or a direction there.
-using StemVector = std::array<double, 3>;
-
 /// A stem ready to be asked what is where. Coordinates are those of `Wood`.
 class WoodSolid {
  public:
-  WoodSolid(const Wood<>& wood, Seed seed);
+  WoodSolid(const Wood<>& wood, Seed seed, Ripples ripples = {});
 
   /// What belongs to a place: how far out and when it grew, and where its fibre crosses z = 0.
   struct Place {
@@ -45,6 +42,7 @@ class WoodSolid {
 
   Wood<> wood_;
   Seed wobble_, fluctuation_, fibres_, scattered_, boundary_;  // a random field each
+  Ripples ripples_;
   std::vector<double> turn_at_zero_;  // of the fluctuation, by the sixteenth of a year
   double usual_width_ = 1.0;          // of a ring, mm
   double inner_years_ = 0.0;          // rings inside the first that is listed
