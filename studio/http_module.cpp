@@ -57,6 +57,11 @@ HttpRequest request_of(const httplib::Request& from) {
   return request;
 }
 
+// On the way to the same machine compression only costs time: seconds for the scripts of the page.
+void uncompressed(httplib::Request& request) {
+  request.headers.erase("Accept-Encoding");
+}
+
 class Server : public HttpServer, private httplib::Server {
  public:
   Server(HttpHandlers&& handlers, const HttpLimits& limits)
@@ -128,7 +133,7 @@ class Server : public HttpServer, private httplib::Server {
                                std::chrono::seconds(limits_.request_seconds));
       stream.deadline().allow_answer(std::chrono::seconds(limits_.answer_seconds));
       bool closed = false;
-      if (!process_request(stream, false, closed, nullptr) || closed) break;
+      if (!process_request(stream, false, closed, uncompressed) || closed) break;
       if (answering.refused || stream.deadline().is_broken()) break;
     }
     // What a refused client still sends is taken off, or it would never read why.

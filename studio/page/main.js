@@ -1,14 +1,13 @@
-import { openCaptures } from './capture/room.js';
-import { openFold } from './fold/room.js';
-import { openMaterials } from './materials/room.js';
 import { attempt, part } from './parts.js';
-import { openSpectrum } from './spectrum/room.js';
-import { openSurfaces } from './surface/room.js';
 
-// A room is begun when it is first seen.
+// A room is fetched and begun when it is first seen.
 /** @type {Record<string, () => Promise<void>>} */
 const rooms = {
-  fold: openFold, material: openMaterials, capture: openCaptures, surface: openSurfaces, spectrum: openSpectrum,
+  fold: async () => (await import('./fold/room.js')).openFold(),
+  material: async () => (await import('./materials/room.js')).openMaterials(),
+  capture: async () => (await import('./capture/room.js')).openCaptures(),
+  surface: async () => (await import('./surface/room.js')).openSurfaces(),
+  spectrum: async () => (await import('./spectrum/room.js')).openSpectrum(),
 };
 const begun = new Set();
 

@@ -50,6 +50,13 @@ TEST_F(Hostile, OurOwnPageIsAnswered) {
   EXPECT_EQ(status_of(post(*studio_, "api/fold/open", R"({"name": "boat.json"})")), 200);
 }
 
+TEST_F(Hostile, NothingIsCompressedOnTheWayToTheSameMachine) {
+  const std::string answer = answer_to(
+      *studio_, exchanged(fair_get(), "\r\n\r\n", "\r\nAccept-Encoding: br, gzip\r\n\r\n"));
+  EXPECT_EQ(status_of(answer), 200);
+  EXPECT_THAT(answer, Not(HasSubstr("Content-Encoding")));
+}
+
 TEST_F(Hostile, WithoutTheTokenNothingIsSaid) {
   const std::string base = studio_->base();
   EXPECT_EQ(status(exchanged(fair_get(), base, "/")), 404);

@@ -239,7 +239,10 @@ class Room {
     await this.moves.settled();
     await this.holding;
     await attempt(async () => {
-      if (this.marks.grip) return this.show(await post('fold/drop'));
+      if (this.marks.grip) {
+        this.show(await post('fold/drop'));
+        return say('');
+      }
       const { start } = this;
       const stroke = this.marks.stroke;
       this.start = this.marks.stroke = null;

@@ -12,7 +12,7 @@ export function skip(why) {
 }
 
 /** What the test was started with: the program, the sources, where pictures are kept. */
-export const [program, sources, pictures] = process.argv.slice(2);
+export const [program, sources, pictures] = process.argv.slice(2).map((word) => path.resolve(word));
 
 const places = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
@@ -26,13 +26,13 @@ export async function openStudio(folder) {
   const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
   const browser = await engine.launch({ executablePath: chromium, args: flags })
     .catch((error) => skip(`chromium does not start here: ${error.message.split('\n')[0]}`));
+  const page = await browser.newPage({ viewport: { width: 1120, height: 700 } });
   const begun = Date.now() / 1000;
   const server = spawn(program, ['studio', '--no-browser', '--json', folder], { stdio: ['ignore', 'pipe', 'inherit'] });
   const address = await new Promise((resolve, reject) => {
     server.stdout.once('data', (text) => resolve(JSON.parse(text).address));
     server.once('exit', (code) => reject(new Error(`hada studio ended with ${code}`)));
   });
-  const page = await browser.newPage({ viewport: { width: 1120, height: 700 } });
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.message));
   page.on('console', (line) => line.type() === 'error' && faults.push(line.text()));
