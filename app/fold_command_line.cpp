@@ -68,6 +68,21 @@ void add_shapes(Commands& commands, CLI::App& fold) {
         add_out(command, a, "file to write: .fold, .obj, .stl, .ply, .gltf or .glb");
       });
   commands.add_to(
+      fold, "relax", "Make the faces of a folded form stiff again, some of its vertices pinned",
+      "hada fold relax out/crane/model.fold --squash 0.5 --solver massed --pin 3 7",
+      fold_relax_command, [](CLI::App& command, FoldRelaxArguments& a) {
+        command.add_option("form", a.input, "folded form: .fold")->required();
+        command.add_option("--solver", a.solver,
+                           "faithful: springs as in the paper; massed: points as heavy as springs "
+                           "meet there; exact: lengths and planes to rounding (default)");
+        command.add_option("--pin", a.pinned, "vertices that stay");
+        command.add_option("--squash", a.squash, "share of its height to press it to, before")
+            ->check(CLI::Range(0.0, 1.0));
+        command.add_option("--steps", a.most_steps, "of the springs, at most (default: 20000)")
+            ->check(positive());
+        add_out(command, a, "FOLD file to write (default: relaxed.fold)");
+      });
+  commands.add_to(
       fold, "replay", "Repeat a recorded sequence of folds: the model and its pictures",
       "hada fold replay data_synthetic/folds/crane.json --frames -o out/crane", fold_replay_command,
       [](CLI::App& command, FoldReplayArguments& a) {
@@ -86,7 +101,11 @@ void add_shapes(Commands& commands, CLI::App& fold) {
       fold, "measure", "Find the creases of a re-opened sheet and how far each is folded",
       "hada fold measure out/surface -o creases.fold", fold_measure_command,
       [](CLI::App& command, FoldMeasureArguments& a) {
-        command.add_option("surface", a.input, "surface folder with normals")->required();
+        command
+            .add_option("input", a.input,
+                        "surface folder with normals, or folder of pictures beside a sphere")
+            ->required();
+        command.add_option("--lights", a.lights, "lights.json of a folder of pictures");
         command.add_option("--pitch", a.pitch_mm, "distance between pixels, mm")
             ->check(positive())
             ->type_name("MM");

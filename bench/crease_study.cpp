@@ -131,9 +131,12 @@ CreaseStudy study_creases(const CreaseStudyOptions& options) {
           Vector3d(gaussian(seed, int(k), 8), gaussian(seed, int(k), 9), 0.0).normalized();
       stack.lights[k].direction =
           Eigen::AngleAxisd(options.light_error_deg * degree, about) * stack.lights[k].direction;
+      // What a sphere says of its reading; a tenth of a degree where it is right.
+      stack.lights[k].direction_sigma = std::max(options.light_error_deg, 0.1) * degree;
     }
     const Surface seen = reconstruct(stack, {.estimator = Estimator::least_squares}).surface;
-    const MeasuredCreases found = measured_creases(seen);
+    const MeasuredCreases found =
+        measured_creases(seen, {}, options.from_pictures ? &stack : nullptr);
     // The frame of what was found lies about the middle of the cropped sheet.
     const Vector2d shift =
         Extent{360, 460, 0.2, Unit::mm}.place(seen.offset_px.y() + 0.5 * seen.extent.rows - 0.5,

@@ -17,6 +17,7 @@ struct CreaseStudyOptions {
   int lights = 12;
   double roughness_deg = 3.0;    // of the paper, each slope
   double light_error_deg = 1.0;  // of the lights that the reconstruction believes
+  bool from_pictures = true;     // the pictures correct their lights; else the surface alone
   double fold_low_deg = 4.0;
   double fold_high_deg = 35.0;
 };

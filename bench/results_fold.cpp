@@ -9,6 +9,7 @@
 #include "bench/crease_study.h"
 #include "bench/fold_motion_study.h"
 #include "bench/fold_study.h"
+#include "bench/rendered_creases.h"
 #include "bench/results_page.h"
 
 namespace hada {
@@ -59,6 +60,15 @@ std::string motion(const std::filesystem::path& data) {
     for (const auto& score : driven_scores(data)) worst = std::max(worst, score.error);
     page += row({"sheets driven by another simulator, -100 to 100 %", "<= 1e-3 of the sheet",
                  fmt::format("{:.0e}", worst), verdict(worst <= 1e-3)});
+  }
+  const auto scene = data / "rendered" / "paper_creased";
+  if (std::filesystem::exists(scene)) {
+    const RenderedCreases found = rendered_creases(scene);
+    page += row({"creases of a rendered sheet from its pictures", "<= 0.1 deg, <= 0.5 px",
+                 fmt::format("{:.3f} deg, {:.2f} px, {} of {} found", found.worst_deg,
+                             found.worst_line_px, found.found, found.creases),
+                 verdict(found.worst_deg <= 0.1 && found.worst_line_px <= 0.5 &&
+                         found.found == found.creases)});
   }
   const auto creases = study_creases({.sheets = 20});
   page += row(

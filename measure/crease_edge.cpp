@@ -91,7 +91,10 @@ CreaseEdge fitted_edge(const std::vector<StepSample>& samples, const CreaseEdge&
   const double variance = now.squares / double(samples.size() - 3);
   const Eigen::Matrix3d inverse =
       (now.matrix + 1e-12 * now.matrix.trace() * Eigen::Matrix3d::Identity()).inverse();
-  edge.offset_sigma = std::sqrt(std::max(variance * inverse(1, 1), 0.0));
+  const auto sigma = [&](int i) { return std::sqrt(std::max(variance * inverse(i, i), 0.0)); };
+  edge.turn_sigma = sigma(0);
+  edge.offset_sigma = sigma(1);
+  edge.width_sigma = edge.width * sigma(2);
   return edge;
 }
 

@@ -18,6 +18,8 @@ struct CreaseEdge {
   double offset = 0.0;
   double width = 1.0;  // standard deviation of the bend
   double offset_sigma = 0.0;
+  double turn_sigma = 0.0;  // of the direction, radians
+  double width_sigma = 0.0;
 };
 
 /// The edge that explains the samples best: passed = Phi((normal . place - offset) / width), by

@@ -9,8 +9,10 @@
 #include <Eigen/Dense>
 
 #include "core/quantile.h"
+#include "measure/closure.h"
 #include "measure/crease_edge.h"
 #include "measure/crease_ends.h"
+#include "measure/lit_facets.h"
 #include "measure/outline.h"
 
 namespace hada {
@@ -20,10 +22,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-Vector3d normal_of(const Facet& facet) {
-  return Vector3d(-facet.slope.x(), -facet.slope.y(), 1.0).normalized();
-}
 
 // Where two facets touch: places between their pixels.
 std::map<std::pair<int, int>, std::vector<Vector2d>> borders(const Grid<int>& label,
@@ -191,26 +189,25 @@ FoldFrame frame_of(const Surface& surface, const Facets& facets, const CreaseEnd
   return frame;
 }
 
-std::vector<MeasuredVertex> inner_vertices(const CreaseEnds& ends, const FoldFrame& frame) {
+std::vector<MeasuredVertex> inner_vertices(const CreaseEnds& ends,
+                                           const std::vector<CreaseCandidate>& creases,
+                                           const Facets& facets) {
   std::vector<MeasuredVertex> all;
   for (std::size_t v = 0; v < ends.places.size(); ++v) {
     if (ends.side[v] >= 0) continue;
-    std::vector<std::pair<double, Vector3d>> ways;  // by direction seen from above
-    for (const auto& [from, to] : frame.edges) {
+    std::vector<ClosureWay> ways;
+    for (std::size_t i = 0; i < creases.size(); ++i) {
+      const auto [from, to] = ends.of[i];
       if (from != int(v) && to != int(v)) continue;
-      const std::size_t other = std::size_t(from == int(v) ? to : from);
-      const Vector3d way = (frame.vertices[other] - frame.vertices[v]).normalized();
-      ways.emplace_back(std::atan2(way.y(), way.x()), way);
+      const Facet &one = facets.facets[std::size_t(creases[i].first)],
+                  &two = facets.facets[std::size_t(creases[i].second)];
+      ways.push_back({ends.places[std::size_t(from == int(v) ? to : from)] - ends.places[v],
+                      creases[i].edge.turn_sigma, one.slope, two.slope, one.sigma, two.sigma,
+                      creases[i].first, creases[i].second});
     }
     if (ways.size() < 3) continue;
-    std::sort(ways.begin(), ways.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    double sum = 0.0;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-      const Vector3d &a = ways[i].second, &b = ways[(i + 1) % ways.size()].second;
-      sum += std::atan2(a.cross(b).norm(), a.dot(b));
-    }
-    all.push_back({ends.places[v], int(ways.size()), 2.0 * std::numbers::pi - sum});
+    const Closure closure = closure_of(ways);
+    all.push_back({ends.places[v], int(ways.size()), closure.lack, closure.sigma});
   }
   return all;
 }
@@ -227,8 +224,21 @@ double shared_sigma(const Surface& surface) {
 
 }  // namespace
 
-MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& options) {
-  const Facets facets = facets_of(surface, options);
+MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& options,
+                                 const LightStack* stack) {
+  Facets facets = facets_of(surface, options);
+  MeasuredCreases result;
+  LitFacets lit;
+  if (stack) {
+    lit = lit_facets(facets, surface, *stack);
+    result.lights_turned = lit.turned;
+    for (std::size_t f = 0; f < lit.slopes.size(); ++f) {
+      facets.facets[f].slope = lit.slopes[f];
+      const Eigen::Index at = Eigen::Index(2 * f);
+      facets.facets[f].sigma =
+          std::sqrt(0.5 * (lit.covariance(at, at) + lit.covariance(at + 1, at + 1)));
+    }
+  }
   const double pitch = surface.extent.pitch;
   std::vector<CreaseCandidate> candidates;
   for (const auto& [pair, border] : borders(facets.label, surface.extent)) {
@@ -238,28 +248,29 @@ MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& opt
   const auto outline = outline_of(surface.mask, surface.extent);
   const CreaseEnds ends = ends_of(candidates, outline, 1.5 * facets.reach_px * pitch);
   const double shared = shared_sigma(surface);
-  MeasuredCreases result;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const CreaseCandidate& c = candidates[i];
     const Facet &one = facets.facets[std::size_t(c.first)],
                 &two = facets.facets[std::size_t(c.second)];
-    const Vector3d a = normal_of(one), b = normal_of(two);
     MeasuredCrease crease;
     crease.first = c.first;
     crease.second = c.second;
     crease.from = ends.places[std::size_t(ends.of[i][0])];
     crease.to = ends.places[std::size_t(ends.of[i][1])];
-    const double fold = std::atan2(a.cross(b).norm(), a.dot(b));
+    const double fold = fold_between(one.slope, two.slope);
     // Where the slope grows across the line the sheet opens to the viewer.
     crease.fold_angle = (two.slope - one.slope).dot(c.edge.normal) > 0.0 ? fold : -fold;
     // What facets scatter by themselves, and errors of light, which turn with the normal.
-    crease.fold_angle_sigma = std::hypot(std::hypot(one.sigma, two.sigma), shared * std::sin(fold));
+    crease.fold_angle_sigma =
+        stack ? fold_sigma(lit, c.first, c.second)
+              : std::hypot(std::hypot(one.sigma, two.sigma), shared * std::sin(fold));
     crease.offset_sigma = c.edge.offset_sigma;
     crease.width = c.edge.width;
+    crease.width_sigma = c.edge.width_sigma;
     result.creases.push_back(crease);
   }
   result.frame = frame_of(surface, facets, ends, result.creases, outline);
-  result.inner_vertices = inner_vertices(ends, result.frame);
+  result.inner_vertices = inner_vertices(ends, candidates, facets);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/fold.h"
+#include "core/light_stack.h"
 #include "core/surface.h"
 #include "measure/facets.h"
 
@@ -18,6 +19,7 @@ struct MeasuredCrease {
   double fold_angle_sigma = 0.0;
   double offset_sigma = 0.0;  // of the line, across it, in the unit of the surface
   double width = 0.0;         // standard deviation of the bend, across the line
+  double width_sigma = 0.0;
 };
 
 /// A vertex inside the sheet where creases meet.
@@ -25,11 +27,13 @@ struct MeasuredVertex {
   Eigen::Vector2d place;
   int creases = 0;
   double closure = 0.0;  // radians that the angles around it lack to a full turn
+  double closure_sigma = 0.0;
 };
 
 struct MeasuredCreases {
   std::vector<MeasuredCrease> creases;
   std::vector<MeasuredVertex> inner_vertices;
+  std::vector<double> lights_turned;  // how far the sheet itself corrected each light, radians
   FoldFrame frame;  // the sheet in space with its border: vertices, edges, angles, no faces yet
 };
 
@@ -39,7 +43,10 @@ struct MeasuredCreases {
 /// one plane to the other: the step of all pixels near it is fitted by a straight edge with a soft
 /// bend, which places it to a small part of a pixel.
 ///
-/// throws  Error as `facets_of` does
-MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& options = {});
+/// stack   the pictures that the surface was made from, if they are there: the brightness of its
+///         facets corrects their lights, and the planes with them
+/// throws  Error as `facets_of` and `lit_facets` do
+MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& options = {},
+                                 const LightStack* stack = nullptr);
 
 }  // namespace hada

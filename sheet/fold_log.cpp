@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "core/error.h"
-#include "mechanics/bar_network.h"
 #include "sheet/arrangement.h"
 #include "sheet/crease.h"
 #include "sheet/fold_through.h"
@@ -15,6 +14,7 @@
 #include "sheet/kept_order.h"
 #include "sheet/places.h"
 #include "sheet/pointer.h"
+#include "sheet/relaxed.h"
 #include "sheet/simulate.h"
 #include "sheet/swing.h"
 #include "sheet/turn_layers.h"
@@ -49,8 +49,7 @@ void squash(FoldState& state, const FoldStep& step) {
   Sheet& sheet = state.sheet;
   const auto before = sheet.folded;
   for (Vector3d& p : sheet.folded) p.z() *= step.share;
-  BarNetwork network = rigid_network(sheet, 0.0);
-  sheet.folded = relax(network, std::move(sheet.folded)).places;
+  sheet.folded = stiffened(sheet).places;
   sheet.fold_angles = edge_angles(sheet, sheet.folded);
   settle_moved(state, before);
 }

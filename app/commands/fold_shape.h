@@ -21,6 +21,18 @@ struct FoldSimulateArguments {
 /// Drives the creases of a pattern and writes the shape in space that it takes.
 void fold_simulate_command(const FoldSimulateArguments& arguments, const Terminal& terminal);
 
+struct FoldRelaxArguments {
+  std::filesystem::path input;
+  std::filesystem::path out = "relaxed.fold";
+  std::string solver = "exact";
+  std::vector<int> pinned;  // vertices
+  int most_steps = 20000;
+  double squash = 1.0;  // of the height, before
+};
+
+/// Makes the faces of a folded form stiff again: by the paper's springs or exactly.
+void fold_relax_command(const FoldRelaxArguments& arguments, const Terminal& terminal);
+
 struct FoldReplayArguments {
   std::filesystem::path input;
   std::filesystem::path out = "replayed";
@@ -38,11 +50,13 @@ void fold_replay_command(const FoldReplayArguments& arguments, const Terminal& t
 struct FoldMeasureArguments {
   std::filesystem::path input;
   std::optional<double> pitch_mm;
+  std::optional<std::filesystem::path> lights;  // of a folder of pictures
   double smallest_deg = 1.0;
   std::filesystem::path out = "creases.fold";
 };
 
-/// Finds the creases of a re-opened sheet and how far each is folded.
+/// Finds the creases of a re-opened sheet and how far each is folded: on a surface, or in pictures
+/// of it, which then correct their lights too.
 void fold_measure_command(const FoldMeasureArguments& arguments, const Terminal& terminal);
 
 }  // namespace hada

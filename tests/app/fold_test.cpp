@@ -73,5 +73,18 @@ TEST(Fold, ReplaysEveryShippedLogWithoutPaperThroughPaper) {
   EXPECT_GE(logs, 6);  // boat, crane, organ, penguin, petal fold, snail
 }
 
+TEST(Fold, MeasuresFoldersOfPicturesAndSaysWhatIsNone) {
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch / "empty");
+  const Answer none = answer("fold measure " + (scratch / "empty").string());
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("empty"));
+  put(scratch / "surface/surface.json", "{}");
+  const Answer mixed =
+      answer("fold measure " + (scratch / "surface").string() + " --lights lights.json");
+  EXPECT_EQ(mixed.code, 2);
+  EXPECT_THAT(mixed.err, HasSubstr("--lights"));
+}
+
 }  // namespace
 }  // namespace hada

@@ -5,6 +5,7 @@
 #include "app/fold_log_file.h"
 #include "bench/accuracy.h"
 #include "bench/fold_study.h"
+#include "bench/rendered_creases.h"
 #include "io/fold_file.h"
 #include "sheet/fold_log.h"
 #include "sheet/places.h"
@@ -56,6 +57,16 @@ TEST(RecordedSnail, EndsInThePublishedShape) {
       EXPECT_NEAR((mine[i] - mine[j]).norm(), (shape.vertices[i] - shape.vertices[j]).norm(), 1e-9);
     }
   }
+}
+
+TEST(RenderedSheet, ShowsItsCreasesInItsPictures) {
+  const auto scene = data_folder() / "rendered" / "paper_creased";
+  if (!std::filesystem::exists(scene)) GTEST_SKIP() << "the scene is not in " << scene;
+  const RenderedCreases found = rendered_creases(scene);
+  EXPECT_EQ(found.found, found.creases);
+  EXPECT_LT(found.worst_deg, 0.03);  // twice what was reached
+  EXPECT_LT(found.worst_line_px, 0.5);
+  EXPECT_LT(found.worst_sigmas, 4.0);
 }
 
 }  // namespace

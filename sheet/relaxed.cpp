@@ -1,0 +1,81 @@
+#include "sheet/relaxed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "mechanics/bar_network.h"
+#include "mechanics/facet_springs.h"
+#include "sheet/arrangement.h"
+#include "sheet/plate.h"
+#include "sheet/simulate.h"
+#include "sheet/strain.h"
+
+namespace hada {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int between_looks = 50;  // steps of the springs
+
+std::vector<bool> pins_of(const Sheet& sheet, const std::vector<int>& pinned) {
+  std::vector<bool> pins(sheet.flat.size(), false);
+  for (const int v : pinned) {
+    if (v < 0 || v >= sheet.vertices()) {
+      throw Error("vertex " + std::to_string(v) + ": there is none; they run from 0 to " +
+                  std::to_string(sheet.vertices() - 1));
+    }
+    pins[std::size_t(v)] = true;
+  }
+  return pins;
+}
+
+void move_by_springs(const Sheet& sheet, const StiffOptions& options, StiffSheet& result) {
+  std::vector<std::vector<int>> faces;
+  for (int f = 0; f < sheet.faces(); ++f) faces.push_back(sheet.corners_of(f));
+  std::vector<Vector3d> rest;
+  for (const auto& p : sheet.flat) rest.emplace_back(p.x(), p.y(), 0.0);
+  SpringMotion motion(facet_springs(faces, rest), sheet.folded, pins_of(sheet, options.pinned),
+                      {.mass_by_springs = options.solver == StiffSolver::massed});
+  while (result.steps < options.most_steps && motion.strain() > options.strain) {
+    const int steps = std::min(between_looks, options.most_steps - result.steps);
+    motion.step(steps);
+    result.steps += steps;
+  }
+  result.places = motion.places();
+  result.substeps = motion.substeps();
+}
+
+double planarity_of(const Sheet& sheet) {
+  double most = 0.0;
+  for (const Plate& plate : plates_of(sheet)) {
+    for (const Vector3d& p : plate.corners) {
+      most = std::max(most, std::abs(plate.normal.dot(p - plate.centre)));
+    }
+  }
+  return most / size_of(sheet.flat);
+}
+
+}  // namespace
+
+StiffSheet stiffened(const Sheet& sheet, const StiffOptions& options) {
+  StiffSheet result;
+  if (options.solver == StiffSolver::exact) {
+    BarNetwork network = rigid_network(sheet, 0.0);
+    network.pinned = pins_of(sheet, options.pinned);
+    Relaxed relaxed = relax(network, sheet.folded);
+    result.places = std::move(relaxed.places);
+    result.steps = relaxed.steps;
+  } else {
+    move_by_springs(sheet, options, result);
+  }
+  Sheet there = sheet;
+  there.folded = result.places;
+  const auto strains = face_strains(there);
+  result.strain = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
+  result.planarity = planarity_of(there);
+  return result;
+}
+
+}  // namespace hada
