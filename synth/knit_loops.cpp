@@ -15,7 +15,8 @@ int wrapped_index(int k, int n) {
   return ((k % n) + n) % n;
 }
 
-/// Draws the spheres around `points` into the rows [begin, end).
+/// Draws the spheres around `points` into the rows [begin, end); a normal is as long as the radius
+/// until all are drawn, since most are drawn over.
 void stamp(KnitMaps& maps, const std::vector<YarnPoint>& points, double radius, int begin, int end,
            std::array<double, 2> mm_per_px, bool wraps) {
   const int cols = maps.height.cols(), rows = maps.height.rows();
@@ -29,14 +30,14 @@ void stamp(KnitMaps& maps, const std::vector<YarnPoint>& points, double radius, 
       for (int c = int(std::ceil(point.col - half)); c <= point.col + half; ++c) {
         const int col = wraps ? wrapped_index(c, cols) : c;
         if (col < 0 || col >= cols) continue;
+        if (point.height_mm + radius <= maps.height(row, col)) continue;
         const double dx = (c - point.col) * mm_per_px[0];
         const double dz = std::sqrt(std::max(0.0, radius * radius - dx * dx - dy * dy));
         const float z = float(point.height_mm + dz);
         if (z <= maps.height(row, col)) continue;
         maps.height(row, col) = z;
         maps.course(row, col) = std::int16_t(point.course);
-        maps.normals(row, col) =
-            Eigen::Vector3d(dx, dy, dz + 1e-6 * radius).normalized().cast<float>();
+        maps.normals(row, col) = Eigen::Vector3d(dx, dy, dz + 1e-6 * radius).cast<float>();
       }
     }
   }
@@ -50,6 +51,9 @@ KnitMaps seen_from_above(const std::vector<YarnPoint>& points, double radius_mm,
                 Grid<std::int16_t>(rows, cols, -1)};
   for_slices(rows, [&](int begin, int end) {
     stamp(maps, points, radius_mm, begin, end, mm_per_px, wraps);
+    for (int row = begin; row < end; ++row) {
+      for (auto& normal : maps.normals.row(row)) normal.normalize();
+    }
   });
   float lowest = std::numeric_limits<float>::max();
   for (const float z : maps.height) lowest = z == unseen ? lowest : std::min(lowest, z);

@@ -46,9 +46,9 @@ export class Blade {
     stage.scene.environment = maker.fromScene(room(), 0.01).texture;
     maker.dispose();
     stage.scene.add(mesh);
-    stage.eye.overlook(0.45, 0, 0.4);
+    stage.eye.overlook(0.55, 0, 0.29);
     stage.eye.orbit(0.2, 0.3);
-    stage.eye.turnAbout([0.45, 0, 0], [0, 0, 1], -0.5);
+    stage.eye.turnAbout([0.55, 0, 0], [0, 0, 1], -0.5);
   }
 
   /** @param {any} wanted what the sliders say */
