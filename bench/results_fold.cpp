@@ -9,6 +9,7 @@
 #include "bench/crease_study.h"
 #include "bench/fold_motion_study.h"
 #include "bench/fold_study.h"
+#include "bench/recorded_folds.h"
 #include "bench/rendered_creases.h"
 #include "bench/results_page.h"
 
@@ -55,6 +56,15 @@ std::string motion(const std::filesystem::path& data) {
   const double miura = miura_error_deg();
   page += row({"Miura angles against the closed form", "<= 0.01 deg",
                fmt::format("{:.1e} deg", miura), verdict(miura <= 0.01)});
+  for (const RecordedFold& fold : recorded_folds()) {
+    page +=
+        row({fmt::format("log of the {}: {} steps, {} faces", fold.title, fold.steps, fold.faces),
+             "same bits again, 0 pairs pierce, layers in order",
+             fmt::format("{}, {}, in {} of {} flat states", fold.same ? "same" : "not the same",
+                         fold.piercing, fold.ordered_states, fold.flat_states),
+             verdict(fold.same && fold.piercing == 0 && fold.contacts == 0 &&
+                     fold.ordered_states == fold.flat_states)});
+  }
   if (std::filesystem::exists(data / "fold")) {
     double worst = 0.0;
     for (const auto& score : driven_scores(data)) worst = std::max(worst, score.error);

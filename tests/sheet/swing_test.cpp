@@ -114,6 +114,24 @@ TEST(Swing, LeadsLinkedFacesAlongTheClosedForm) {
   EXPECT_LT(most_strain(swung(sheet, swing, {}, "miura").sheet), 1e-3);
 }
 
+TEST(Swing, OfLinkedFacesStopsWhereTheyMeet) {
+  // The same vertex, led beyond the place where all its faces lie on each other.
+  Sheet sheet = sheet_of(vertex_fold({0, 60, 180, -60}, "MVVV"), "miura");
+  SimulateOptions start;
+  start.share = 0.2;
+  sheet.folded = simulate(sheet, start).places;
+  sheet.fold_angles = edge_angles(sheet, sheet.folded);
+  Swing swing{.face = face_at(sheet, {0.85, 1.26})};
+  swing.axis = between(sheet, {0.85, 1.26}, {1.26, 1.15});
+  const double before = sheet.fold_angles[std::size_t(swing.axis)];
+  swing.angle = 200.0 * degree;
+  const Swung stopped = swung(sheet, swing, {}, "miura");
+  ASSERT_TRUE(stopped.met);
+  // Its stages end at 0.01 degrees; faces that shut may touch a little before.
+  EXPECT_NEAR((before + stopped.angle) / degree, 180.0, 0.1);
+  EXPECT_LT(most_strain(stopped.sheet), 1e-9);
+}
+
 TEST(Swing, SaysWherePaperWouldStretch) {
   // Three creases meet: a vertex of degree three is stiff.
   const Sheet sheet = sheet_of(vertex_fold({0, 120, 240}, "MMM"), "stiff");
