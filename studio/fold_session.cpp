@@ -143,13 +143,16 @@ void drag(FoldSession& session, const Ray& ray, double whole_deg) {
     return;
   }
   // On from where it is: linked faces follow a small turn in a few steps.
+  const double before = session.dragged ? grip.step.degrees : 0.0;
   FoldStep further = grip.step;
   further.hasty = true;
-  further.degrees = degrees - (session.dragged ? grip.step.degrees : 0.0);
+  further.degrees = degrees - before;
   try {
     session.dragged =
         folded_on(session.dragged ? *session.dragged : session.state(), further, "drag");
-    grip.step.degrees = degrees;
+    // A turn ends where faces meet.
+    const auto& met = session.dragged->contact;
+    grip.step.degrees = met ? before + met->degrees : degrees;
   } catch (const Error&) {
     // As far as paper goes without stretching, and no further.
     if (!session.dragged) grip.step.degrees = 0.0;

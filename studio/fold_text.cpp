@@ -107,7 +107,7 @@ std::string fold_drag_text(const FoldSession& session) {
 }
 
 std::string fold_shape_text(const FoldState& state, double degrees) {
-  Json json = {{"degrees", degrees}};
+  Json json = {{"degrees", degrees}, {"met", state.contact.has_value()}};
   put_shape(json, state.sheet, stack_of(state.sheet, state.order));
   return json.dump();
 }

@@ -54,6 +54,7 @@ interface Grip {
 
 interface Drag extends Shape {
   degrees: number;
+  met: boolean;
 }
 
 interface Ray {

@@ -53,7 +53,9 @@ TEST_F(FoldRequests, DrawFoldTurnUndoAndExport) {
   EXPECT_EQ(grip["axis"][0][0], 0.5);
   // Looking along the axis the pointer goes round it freely.
   Json ray = {{"eye", {0.5, -3.0, 0.4}}, {"way", {0.0, 1.0, 0.0}}, {"whole", 15}};
-  EXPECT_EQ(ask("drag", ray)["vertices"].size(), 18u);
+  const Json dragged = ask("drag", ray);
+  EXPECT_EQ(dragged["vertices"].size(), 18u);
+  EXPECT_EQ(dragged["met"], false);
   const Json after = ask("drop", Json::object());
   EXPECT_EQ(after["at"], 2);
   EXPECT_EQ(after["log"][1]["do"], "swing");

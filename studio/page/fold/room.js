@@ -226,7 +226,7 @@ class Room {
         const drag = /** @type {Drag} */ (await post('fold/drag', { ...ray, whole }));
         if (!this.marks.grip) return;
         this.marks.degrees = drag.degrees;
-        part('fold-facts').textContent = `turned by ${Number(drag.degrees.toFixed(1))}°`;
+        part('fold-facts').textContent = `turned by ${Number(drag.degrees.toFixed(1))}°${drag.met ? ', where faces meet' : ''}`;
         this.showShape(drag);
       }
     });
