@@ -232,6 +232,7 @@ MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& opt
   if (stack) {
     lit = lit_facets(facets, surface, *stack);
     result.lights_turned = lit.turned;
+    if (lit.dark_facet >= 0) stack = nullptr;  // planes stay as the surface has them
     for (std::size_t f = 0; f < lit.slopes.size(); ++f) {
       facets.facets[f].slope = lit.slopes[f];
       const Eigen::Index at = Eigen::Index(2 * f);

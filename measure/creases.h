@@ -33,7 +33,8 @@ struct MeasuredVertex {
 struct MeasuredCreases {
   std::vector<MeasuredCrease> creases;
   std::vector<MeasuredVertex> inner_vertices;
-  std::vector<double> lights_turned;  // how far the sheet itself corrected each light, radians
+  std::vector<double> lights_turned;  // how far the sheet itself corrected each light, radians;
+                                      // empty if it could not
   FoldFrame frame;  // the sheet in space with its border: vertices, edges, angles, no faces yet
 };
 
@@ -45,7 +46,7 @@ struct MeasuredCreases {
 ///
 /// stack   the pictures that the surface was made from, if they are there: the brightness of its
 ///         facets corrects their lights, and the planes with them
-/// throws  Error as `facets_of` and `lit_facets` do
+/// throws  Error as `facets_of` does
 MeasuredCreases measured_creases(const Surface& surface, const FacetOptions& options = {},
                                  const LightStack* stack = nullptr);
 

@@ -8,8 +8,6 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
-#include "core/error.h"
-
 namespace hada {
 namespace {
 
@@ -143,8 +141,11 @@ LitFacets lit_facets(const Facets& facets, const Surface& surface, const LightSt
       ++seen[std::size_t(shine.facet)];
     }
   }
-  if (*std::min_element(seen.begin(), seen.end()) < 3) {
-    throw Error("a facet is lit in less than three pictures; take more, with lights higher up");
+  const auto darkest = std::min_element(seen.begin(), seen.end());
+  if (*darkest < 3) {
+    LitFacets unknown;
+    unknown.dark_facet = int(darkest - seen.begin());
+    return unknown;
   }
   const auto modes = error_modes(stack, options);
   const int errors = 3 * count, albedo = errors + int(modes.size()), unknowns = albedo + 1;

@@ -14,6 +14,8 @@ struct LitFacets {
   std::vector<Eigen::Vector2d> slopes;  // of the facets
   Eigen::MatrixXd covariance;           // of all slopes, x before y, facet by facet
   std::vector<double> turned;           // of the lights: how far each was corrected, radians
+  int dark_facet = -1;  // one that is lit without shadows in less than three pictures: then nothing
+                        // of the above is known
 };
 
 struct LitFacetOptions {
@@ -30,7 +32,6 @@ struct LitFacetOptions {
 /// of each facet in each picture, far from creases.
 ///
 /// surface  that the facets were found on; its offset says where it lies in the pictures
-/// throws   Error if a facet is lit in less than three pictures
 LitFacets lit_facets(const Facets& facets, const Surface& surface, const LightStack& stack,
                      const LitFacetOptions& options = {});
 

@@ -115,6 +115,11 @@ void fold_measure_command(const FoldMeasureArguments& arguments, const Terminal&
     terminal.say(
         fmt::format("lights corrected by the sheet itself: {:.2f} deg at most", most / degree));
   }
+  if (seen.lit && found.lights_turned.empty()) {
+    terminal.say(
+        "note: a facet lies without shadows in less than three pictures; lights are not "
+        "corrected");
+  }
   for (const std::string& remark : seen.remarks) terminal.say("note: " + remark);
   terminal.say("wrote " + arguments.out.string());
   terminal.result(json.dump(1));

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "core/random.h"
 
 namespace hada {
@@ -110,7 +109,9 @@ TEST(LitFacets, NeedThreePictures) {
   for (std::size_t k = 2; k < lights; ++k) {
     made.stack.samples[k] = Grid<Sample>(extent.rows, extent.cols, Sample::shadowed);
   }
-  EXPECT_THROW(lit_facets(made.facets, made.surface, made.stack), Error);
+  const LitFacets lit = lit_facets(made.facets, made.surface, made.stack);
+  EXPECT_GE(lit.dark_facet, 0);
+  EXPECT_TRUE(lit.slopes.empty());
 }
 
 }  // namespace
