@@ -37,6 +37,8 @@ ContactWatch::ContactWatch(const Sheet& sheet, const std::vector<FaceOrder>& ord
   for (const FaceOrder& o : order) known[{o.face, o.other}] = o.order;
   for (int f = 0; f < sheet.faces(); ++f) corners_.push_back(sheet.corners_of(f));
   const auto plates = plates_of(sheet);
+  const auto faces = std::size_t(sheet.faces());
+  pairs_.reserve(faces * faces / 2);  // a hand that moves waits for this
   for (int a = 0; a < sheet.faces(); ++a) {
     for (int b = a + 1; b < sheet.faces(); ++b) {
       if (!moving.empty() && moving[std::size_t(a)] == moving[std::size_t(b)]) continue;
