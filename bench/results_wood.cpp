@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/block_study.h"
 #include "bench/results_page.h"
 #include "bench/wood_study.h"
 
@@ -39,6 +40,41 @@ std::string disc_rows(const std::filesystem::path& folder) {
          row({"seconds", "3", fmt::format("{:.1f}", s.seconds), verdict(s.seconds <= 3.0)});
 }
 
+std::string solid_rows(const std::filesystem::path& folder) {
+  std::string page;
+  for (const char* name : {"softwood_a", "ringporous_b"}) {
+    const auto s = score_solid(folder, name);
+    page += row({fmt::format("rendered {} as a block: lean, taper", name), "",
+                 fmt::format("off by {:.5f}, {:.5f}", s.lean, s.taper), ""});
+    page += row({"its ring lines on a slanted cut that is not seen: median error, mm", "",
+                 fmt::format("{:.3f}", s.line_mm), ""});
+    page += row({"their 90 % bands hold, %", "", fmt::format("{:.0f}", 100.0 * s.coverage), ""});
+  }
+  return page;
+}
+
+std::string left_out_rows(const std::filesystem::path& folder) {
+  std::string page;
+  double c = 0.0, e = 0.0;
+  for (const auto& s : left_out_faces(folder)) {
+    page +=
+        row({fmt::format("CN03 without {}: its ring lines, px (of a ring); in the band, %", s.face),
+             "measured",
+             fmt::format("{:.1f} ({:.2f}); {:.0f}", s.error, s.width, 100.0 * s.coverage), ""});
+    if (!s.has_slope) continue;
+    page +=
+        row({"the slope of its fibres: seen, predicted", "measured",
+             fmt::format("{:.3f}, {:.3f} ± {:.3f}", s.slope, s.expected, s.expected_sigma), ""});
+    if (s.face == "C") c = s.slope;
+    if (s.face == "E") e = s.slope;
+  }
+  const double mean = 0.5 * (std::abs(c) + std::abs(e));
+  const double apart = mean > 0.0 ? std::abs(c + e) / mean : 1.0;
+  return page + row({"CN03: mean slope of faces C and E, mirrored within", "10 %",
+                     fmt::format("{:.3f}, {:.3f}: {:.1f} %", c, e, 100.0 * apart),
+                     verdict(c * e < 0.0 && apart <= 0.1)});
+}
+
 std::string made_rows() {
   const auto s = study_stems(seeds);
   const auto within = [](double share) { return share >= 0.85 && share <= 0.95; };
@@ -63,7 +99,10 @@ std::string made_rows() {
 std::string wood_results(const std::filesystem::path& data) {
   std::string page = table("Wood", "| figure | must be | measured | |");
   if (std::filesystem::exists(data / "rendered" / "wood_block"))
-    page += rendered_rows(data / "rendered" / "wood_block");
+    page += rendered_rows(data / "rendered" / "wood_block") +
+            solid_rows(data / "rendered" / "wood_block");
+  if (std::filesystem::exists(data / "wood" / "block_CN03"))
+    page += left_out_rows(data / "wood" / "block_CN03");
   if (std::filesystem::exists(data / "wood" / "disc")) page += disc_rows(data / "wood" / "disc");
   if (std::filesystem::exists(data / "wood" / "xray_profiles")) {
     const auto s = score_profiles(data / "wood" / "xray_profiles");

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "bench/block_study.h"
 #include "bench/wood_study.h"
 
 int main(int count, char** words) {
@@ -21,6 +22,22 @@ int main(int count, char** words) {
     std::printf(
         "disc F02b: pith %.2f %% of R, %d of %d rings within 6 px, radius %.2f px, %.1f s\n",
         100.0 * s.pith_share, s.found, s.rings, s.radius_px, s.seconds);
+  }
+  for (const auto& s : hada::left_out_faces(data / "wood" / "block_CN03")) {
+    std::printf(
+        "CN03 without %s: %d places, lines %.1f px beside (%.2f of a ring), coverage %.0f %%",
+        s.face.c_str(), s.places, s.error, s.width, 100.0 * s.coverage);
+    if (s.has_slope)
+      std::printf("; slope %.3f, predicted %.3f +- %.3f", s.slope, s.expected, s.expected_sigma);
+    std::printf("\n");
+  }
+  for (const char* name : {"softwood_a", "ringporous_b"}) {
+    if (!std::filesystem::exists(data / "rendered" / "wood_block")) break;
+    const auto s = hada::score_solid(data / "rendered" / "wood_block", name);
+    std::printf(
+        "%s as a block: lean off by %.5f, taper by %.5f; slanted cut: lines %.3f mm beside, "
+        "coverage %.0f %%\n",
+        name, s.lean, s.taper, s.line_mm, 100.0 * s.coverage);
   }
   if (std::filesystem::exists(data / "wood" / "xray_profiles")) {
     const auto s = hada::score_profiles(data / "wood" / "xray_profiles");

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/quantile.h"
 #include "fit/absorbance.h"
+#include "fit/block_fibres.h"
 #include "fit/ripple_prior.h"
 #include "fit/wood.h"
 #include "measure/background.h"
@@ -18,11 +19,15 @@ constexpr double least_noise_px = 0.05;
 constexpr int most_rounds = 14;
 constexpr double first_noise_px = 0.5;
 constexpr double least_growth = 1.005;  // of the number of sightings, to look once more
+constexpr double most_lost = 0.8;       // of the sightings, from round to round
 constexpr double sharp_px = 0.3;        // scatter that no ripple can be blamed for
+constexpr double first_length = 0.12;   // of ripples, beside the longest side of the block
 constexpr double least_gain = 10.0;     // of the logarithm of the evidence, for ripples
 constexpr double together = 9.0;        // neighbours whose sightings share most of their pixels
-constexpr double pith_share = 0.5;      // of its distance that a pith may be off
-constexpr double upright = 0.7;         // cosine to the stem of what is up on a face along it
+constexpr double vague_pith =
+    0.1;  // of its distance, standard deviation of a pith that is not known
+constexpr double steep_prior = 0.08;  // lean of a stem that rings run side by side in
+constexpr double pith_share = 0.5;    // of its distance that a pith may be off
 constexpr int waves = 300;
 constexpr std::size_t fewest = 20;
 
@@ -47,21 +52,12 @@ GrowthFrame in_stem(const Wood<>& seen, const Cut& cut) {
   return frame;
 }
 
-BlockFace ready(const PlacedFace& face) {
-  const Extent& extent = face.surface.extent;
-  const auto brightness = luminance(face.surface.albedo);
-  const int margin = std::max(2, std::min(extent.rows, extent.cols) / 200);
-  return {absorbance(brightness), without_background(brightness, face.surface.mask, margin), extent,
-          face.cut};
-}
-
 /// What an end grain alone says, and how little that is of other heights.
 GrowthSolid first_solid(const Fit<Wood<>>& seen, const Cut& cut, const SolidPrior& prior,
                         double pitch) {
   GrowthSolid solid;
   solid.frame = in_stem(seen.material, cut);
   solid.radii = seen.material.ring_radii_mm;
-  solid.radii_loose = seen.sigma.ring_radii_mm;
   Eigen::VectorXd sigma = Eigen::VectorXd::Zero(solid.size());
   sigma.segment<2>(2).setConstant(prior.lean);
   sigma[4] = prior.taper;
@@ -107,13 +103,22 @@ std::vector<RingSighting> seen_on(const std::vector<BlockFace>& faces, const Gro
   return all;
 }
 
+/// How far rings lie beside those of the solid, on a usual face: what no solid says of another one.
+double wander_of(const std::vector<FaceScatter>& faces) {
+  std::vector<double> scatters;
+  for (const FaceScatter& face : faces) {
+    if (face.sightings >= int(fewest)) scatters.push_back(face.scatter);
+  }
+  return scatters.empty() ? 0.0 : median(std::move(scatters));
+}
+
 /// Predict, look, learn: the solid and what it has led to.
 class Following {
  public:
   Following(const std::vector<PlacedFace>& faces, const GrowthSolid& start, const SolidPrior& prior,
             double pitch, double noise)
       : box_(box_of(faces)), start_(start), prior_(prior), pitch_(pitch), solid_(start) {
-    for (const PlacedFace& face : faces) views_.push_back(ready(face));
+    for (const PlacedFace& face : faces) views_.push_back(block_face(face));
     noise_.assign(faces.size(), std::max(noise, first_noise_px * pitch));
   }
 
@@ -125,13 +130,16 @@ class Following {
         throw Error("wood: too few rings can be followed over the faces; check their planes");
       }
       settle(seen);
+      if (double(seen.size()) < most_lost * double(before))
+        break;  // it went astray: the last stays
+      kept_ = {solid_, scatter_};
       if (round > 1 && double(seen.size()) < least_growth * double(before)) break;
       before = seen.size();
     }
   }
 
-  const GrowthSolid& solid() const { return solid_; }
-  const std::vector<FaceScatter>& faces() const { return scatter_; }
+  const GrowthSolid& solid() const { return kept_.first; }
+  const std::vector<FaceScatter>& faces() const { return kept_.second; }
 
  private:
   SolidFit fitted(const std::vector<RingSighting>& seen) const {
@@ -142,20 +150,21 @@ class Following {
   void settle(const std::vector<RingSighting>& seen) {
     start_.ripples = {};
     prior_.ripples.clear();
+    prior_.together = 1.0;
     SolidFit fit = fitted(seen);
     double scatter = 0.0;
     for (const auto& face : fit.faces) scatter = std::max(scatter, face.scatter);
     if (scatter > sharp_px * pitch_) {
       SolidFit plain = std::move(fit);
       start_.ripples = ripples_in(box_, waves);
-      if (ripple_.height <= 0.0) {
-        const double length = 0.16 * *std::max_element(box_.sides.begin(), box_.sides.end());
-        ripple_ = {2.0 * scatter, length, length};
-      }
+      prior_.together = together;
+      const double length = first_length * *std::max_element(box_.sides.begin(), box_.sides.end());
+      const RipplePrior plainest{2.0 * scatter, length, length};
+      if (ripple_.height <= 0.0) ripple_ = plainest;
       for (int round = 0; round < 2; ++round) {
         prior_.ripples = wave_sigma(start_.ripples, ripple_);
         fit = fitted(seen);
-        ripple_ = likely_ripples(fit.solid, fit.equations, ripple_, together);
+        ripple_ = likely_ripples(fit.solid, fit.equations, {ripple_, plainest});
       }
       if (ripple_.gain < least_gain) fit = std::move(plain);
     }
@@ -175,6 +184,7 @@ class Following {
   std::vector<double> noise_;  // of each face
   std::vector<FaceScatter> scatter_;
   RipplePrior ripple_;
+  std::pair<GrowthSolid, std::vector<FaceScatter>> kept_;  // the last that led on
 };
 
 /// What a material can say of `solid`; ripples are left out.
@@ -199,48 +209,15 @@ void set_solid(Fit<Wood<>>& fit, const GrowthSolid& solid) {
         std::hypot(sigma[solid.radii_at() + Eigen::Index(k)], solid.radii_loose[k]);
 }
 
-/// The gradient G that makes fibres lean as a streak of a face does; NaN where the face is not as
-/// tangential as `least`.
-double turning_of(const GrowthSolid& solid, const Cut& cut, const Streak& streak, double least) {
-  const double level = fibre_slope(solid, cut, streak.place, 0.0);
-  constexpr double step = 1e-3;
-  const double by_turning = (fibre_slope(solid, cut, streak.place, step) - level) / step;
-  return std::abs(by_turning) < least ? std::nan("") : (streak.slope - level) / by_turning;
-}
-
-/// How fibres turn around the stem, from the face that shows most of it where it is tangential.
-void add_grain(BlockFit& block, const std::vector<PlacedFace>& faces) {
-  const PlacedFace* best = nullptr;
-  FaceGrain grain;
-  for (const double least : {0.94, 0.8, 0.6}) {  // cosine to the direction around the stem
-    for (const PlacedFace& face : faces) {
-      if (std::abs(face.cut.up[2]) < upright) continue;
-      try {
-        const FaceGrain one = face_grain(face.surface, [&](const Streak& streak) {
-          return turning_of(block.solid, face.cut, streak, least);
-        });
-        if (best && one.parts <= grain.parts) continue;
-        best = &face;
-        grain = one;
-      } catch (const Error&) {  // too few parts: another face may show more
-      }
-    }
-    if (best) break;
-  }
-  if (!best) {
-    block.wood.remarks.push_back(
-        "No face shows fibres where it is tangential: how they turn around the stem is not known.");
-    return;
-  }
-  if (grain.kind == FaceGrain::Kind::wavy) {  // counted from the height of z = 0, upward
-    const double height = 2.0 * M_PI * best->cut.origin[2] / grain.length.value;
-    if (best->cut.up[2] < 0.0) grain.phase.value = M_PI - grain.phase.value;
-    grain.phase.value = std::remainder(grain.phase.value - height, 2.0 * M_PI);
-  }
-  add_face(block.wood, grain);
-}
-
 }  // namespace
+
+BlockFace block_face(const PlacedFace& face) {
+  const Extent& extent = face.surface.extent;
+  const auto brightness = luminance(face.surface.albedo);
+  const int margin = std::max(2, std::min(extent.rows, extent.cols) / 200);
+  return {absorbance(brightness), without_background(brightness, face.surface.mask, margin), extent,
+          face.cut};
+}
 
 BlockFit fit_block(const std::vector<PlacedFace>& faces) {
   const auto anchor = std::find_if(faces.begin(), faces.end(), is_end_grain);
@@ -254,14 +231,26 @@ BlockFit fit_block(const std::vector<PlacedFace>& faces) {
   block.wood = wood_of(grain, anchor->surface);
   const double pitch = anchor->surface.extent.pitch;
   const Eigen::Vector2d pith(block.wood.material.pith_mm[0], block.wood.material.pith_mm[1]);
-  const SolidPrior prior{.pith = pith_share * pith.norm() + 10.0 * pitch, .ripples = {}};
-  Following following(faces, first_solid(block.wood, anchor->cut, prior, pitch), prior, pitch,
-                      grain.shape.scatter);
+  SolidPrior prior{.pith = pith_share * pith.norm() + 10.0 * pitch, .ripples = {}};
+  GrowthSolid start = first_solid(block.wood, anchor->cut, prior, pitch);
+  if (grain.shape.pith_sigma.norm() > vague_pith * pith.norm()) {
+    // Rings run side by side: nothing says how they are shaped around a pith, or how it leans.
+    block.wood.material.lobes.clear();
+    block.wood.sigma.lobes.clear();
+    prior.lean = steep_prior;
+    start = first_solid(block.wood, anchor->cut, prior, pitch);
+    start.lean = fibre_lean(faces);
+    start.frame.pith -= start.lean * anchor->cut.origin[2];
+    block.mark = RingMark::line;
+  }
+  Following following(faces, start, prior, pitch, grain.shape.scatter);
   following.follow(block.mark);
   block.solid = following.solid();
   block.faces = following.faces();
+  block.solid.radii_loose.assign(block.solid.radii.size(),
+                                 std::hypot(boundary_px * pitch, wander_of(block.faces)));
   set_solid(block.wood, block.solid);
-  add_grain(block, faces);
+  add_turning(block.wood, block.solid, faces);
   return block;
 }
 

@@ -19,6 +19,9 @@ struct PlacedFace {
   Cut cut;
 };
 
+/// The face as rings are looked for on it; a plain background is left out.
+BlockFace block_face(const PlacedFace& face);
+
 struct BlockFit {
   Fit<Wood<>> wood;                // what a material can say of it
   GrowthSolid solid;               // all that is known of its rings

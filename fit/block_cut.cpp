@@ -27,12 +27,22 @@ Known gradient_of(const Wood<>& wood, const Wood<>& sigma, double z) {
 CutSlope slope_at(const BlockFit& block, const Cut& cut, const Eigen::Vector2d& place) {
   const StemVector at = cut.at(place.x(), place.y());
   const Known turning = gradient_of(block.wood.material, block.wood.sigma, at[2]);
-  const auto slope_with = [&](double by) {
-    return fibre_slope(block.solid, cut, place, turning.value + by);
+  const auto slope_of = [&](const GrowthSolid& solid, double by) {
+    return fibre_slope(solid, cut, place, turning.value + by);
   };
-  const double step = 1e-3;
-  const double by_turning = (slope_with(step) - slope_with(-step)) / (2.0 * step);
-  return {place, {slope_with(0.0), std::hypot(by_turning * turning.sigma, out_of_plane)}};
+  constexpr double step = 1e-3;
+  const double slope = slope_of(block.solid, 0.0);
+  const double by_turning = (slope_of(block.solid, step) - slope) / step;
+  // Fibres stay on their ring: what is not known of lean and taper is not known of them.
+  Eigen::Vector3d by_lean;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    GrowthSolid moved = block.solid;
+    (k < 2 ? moved.lean[k] : moved.taper) += step;
+    by_lean[k] = (slope_of(moved, 0.0) - slope) / step;
+  }
+  const double leaning = by_lean.dot(block.solid.covariance.block<3, 3>(2, 2) * by_lean);
+  const double variance = std::pow(by_turning * turning.sigma, 2) + std::max(leaning, 0.0);
+  return {place, {slope, std::hypot(std::sqrt(variance), out_of_plane)}};
 }
 
 }  // namespace

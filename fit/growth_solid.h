@@ -22,7 +22,7 @@ struct GrowthSolid {
   double taper = 0.0;               // of the effective radius, for each step of z
   Ripples ripples;                  // none, unless the rings of the block wander
   std::vector<double> radii;        // effective radii where rings end, rising
-  std::vector<double> radii_loose;  // of each: standard deviation of where in its rise it is drawn
+  std::vector<double> radii_loose;  // of each: standard deviation of what is its own on a cut
   Eigen::MatrixXd covariance;       // of what `state` holds
 
   /// Pith, lean, taper, lobes, heights of the ripples, radii.

@@ -135,9 +135,9 @@ std::vector<RingSighting> ring_sightings(const BlockFace& face, std::size_t inde
     const double room_px = room_of(solid.radii, station.ring) / station.slope / pitch;
     const double sigma_px = station.sigma / station.slope / pitch;
     const double own_px = std::min(own_share * room_px, most_search_px);
+    if (deviations * sigma_px > own_px || least_search_px > own_px) return;
     const double search_px =
-        std::max(deviations * std::hypot(sigma_px, noise / pitch), least_search_px);
-    if (search_px > own_px) return;
+        std::clamp(deviations * std::hypot(sigma_px, noise / pitch), least_search_px, own_px);
     const double blur_px = mark == RingMark::edge
                                ? std::clamp(step_share * room_px, edge_blur_px, 8.0)
                                : std::clamp(line_share * room_px, 1.2, 12.0);
@@ -159,8 +159,11 @@ std::vector<RingSighting> ring_sightings(const BlockFace& face, std::size_t inde
     if (found[i].strength < least) continue;
     const RingStation& station = stations[i];
     const Eigen::Vector2d place = station.place + found[i].off_px * pitch * station.normal;
+    StemVector across;
+    for (std::size_t k = 0; k < 3; ++k)
+      across[k] = station.normal.x() * face.cut.right[k] + station.normal.y() * face.cut.up[k];
     sightings.push_back(
-        {face.cut.at(place.x(), place.y()), index, station.ring, station.run, station.slope});
+        {face.cut.at(place.x(), place.y()), index, station.ring, station.run, across});
   }
   return sightings;
 }

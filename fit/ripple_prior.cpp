@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/quantile.h"
+
 namespace hada {
 namespace {
 
@@ -21,8 +23,8 @@ Eigen::Vector3d frequency_of(const Ripples& ripples, std::size_t n) {
 
 /// Logarithm of the evidence, up to what all priors share.
 double evidence(const GrowthSolid& solid, const SolidEquations& sums, const RipplePrior& prior,
-                double noise, double together) {
-  const double trust = 1.0 / (noise * noise * together);
+                double noise) {
+  const double trust = 1.0 / (noise * noise);
   Eigen::VectorXd precision = sums.precision;
   const auto sigma = wave_sigma(solid.ripples, prior);
   for (std::size_t n = 0; n < sigma.size(); ++n)
@@ -35,7 +37,44 @@ double evidence(const GrowthSolid& solid, const SolidEquations& sums, const Ripp
   const double misfit = trust * sums.squares + sums.mean.dot(precision.cwiseProduct(sums.mean)) -
                         right.dot(root.solve(right));
   return -0.5 * misfit + 0.5 * precision.array().log().sum() - 0.5 * volume -
-         sums.count / together * std::log(noise);
+         sums.count * std::log(noise);
+}
+
+/// A prior, the noise beside what it was taken for, and their evidence.
+struct Climbed {
+  RipplePrior prior;
+  double noise = 1.0;
+  double evidence = -HUGE_VAL;
+};
+
+Climbed climbed(const GrowthSolid& solid, const SolidEquations& equations, const RipplePrior& from,
+                double highest) {
+  constexpr int rounds = 12;
+  constexpr double factor = 1.5, shortest = 0.05, longest = 0.25;  // of the longest side
+  const auto& sides = solid.ripples.box().sides;
+  const double side = *std::max_element(sides.begin(), sides.end());
+  Climbed best{from};
+  best.evidence = evidence(solid, equations, best.prior, best.noise);
+  for (int round = 0; round < rounds; ++round) {
+    const double before = best.evidence;
+    for (int knob = 0; knob < 4; ++knob) {
+      for (const double by : {factor, 1.0 / factor}) {
+        Climbed tried = best;
+        double* knobs[] = {&tried.prior.height, &tried.prior.across, &tried.prior.along,
+                           &tried.noise};
+        *knobs[knob] *= by;
+        tried.prior.across = std::clamp(tried.prior.across, shortest * side, longest * side);
+        tried.prior.along = std::clamp(tried.prior.along, shortest * side, longest * side);
+        tried.prior.height = std::min(tried.prior.height, highest);
+        tried.evidence = evidence(solid, equations, tried.prior, tried.noise);
+        if (tried.evidence <= best.evidence) continue;
+        best = tried;
+        break;
+      }
+    }
+    if (best.evidence <= before) break;
+  }
+  return best;
 }
 
 }  // namespace
@@ -75,42 +114,24 @@ std::vector<double> wave_sigma(const Ripples& ripples, const RipplePrior& prior)
 }
 
 RipplePrior likely_ripples(const GrowthSolid& solid, const SolidEquations& equations,
-                           const RipplePrior& from, double together) {
-  constexpr int rounds = 12;
-  constexpr double factor = 1.5;
-  const auto& sides = solid.ripples.box().sides;
-  const double longest = *std::max_element(sides.begin(), sides.end());
-  RipplePrior best = from;
-  double noise = 1.0;
-  double highest = evidence(solid, equations, best, noise, together);
-  for (int round = 0; round < rounds; ++round) {
-    bool better = false;
-    for (int knob = 0; knob < 4; ++knob) {
-      for (const double by : {factor, 1.0 / factor}) {
-        RipplePrior tried = best;
-        double tried_noise = noise;
-        double* knobs[] = {&tried.height, &tried.across, &tried.along, &tried_noise};
-        *knobs[knob] *= by;
-        tried.across = std::clamp(tried.across, 0.05 * longest, 0.6 * longest);
-        tried.along = std::clamp(tried.along, 0.05 * longest, 0.6 * longest);
-        const double reached = evidence(solid, equations, tried, tried_noise, together);
-        if (reached <= highest) continue;
-        highest = reached;
-        best = tried;
-        noise = tried_noise;
-        better = true;
-        break;
-      }
-    }
-    if (!better) break;
+                           const std::vector<RipplePrior>& starts) {
+  // Rings that wander further than a third of their distance could not be told apart.
+  std::vector<double> widths;
+  for (std::size_t k = 1; k < solid.radii.size(); ++k)
+    widths.push_back(solid.radii[k] - solid.radii[k - 1]);
+  const double highest = widths.empty() ? HUGE_VAL : median(widths) / 3.0;
+  Climbed best;
+  for (const RipplePrior& start : starts) {
+    const Climbed one = climbed(solid, equations, start, highest);
+    if (one.evidence > best.evidence) best = one;
   }
-  RipplePrior none = best;
+  RipplePrior none = best.prior;
   none.height *= 1e-4;
   double without = -HUGE_VAL;
-  for (double other = 0.25 * noise; other < 32.0 * noise; other *= 1.2)
-    without = std::max(without, evidence(solid, equations, none, other, together));
-  best.gain = highest - without;
-  return best;
+  for (double noise = 0.25 * best.noise; noise < 32.0 * best.noise; noise *= 1.2)
+    without = std::max(without, evidence(solid, equations, none, noise));
+  best.prior.gain = best.evidence - without;
+  return best.prior;
 }
 
 }  // namespace hada

@@ -23,11 +23,11 @@ Ripples ripples_in(const Ripples::Box& box, int count);
 /// boundary.
 std::vector<double> wave_sigma(const Ripples& ripples, const RipplePrior& prior);
 
-/// The prior that the sightings make most likely, by climbing from `from`; the noise of the
+/// The prior that the sightings make most likely, by climbing from several; the noise of the
 /// sightings is climbed as well.
 ///
-/// solid   with the waves, fitted with any prior; normal equations are those of `equations`
+/// solid   with the waves, fitted with any prior; `equations` are those at its end
 RipplePrior likely_ripples(const GrowthSolid& solid, const SolidEquations& equations,
-                           const RipplePrior& from, double together);
+                           const std::vector<RipplePrior>& starts);
 
 }  // namespace hada

@@ -13,6 +13,7 @@ namespace hada {
 namespace {
 
 constexpr double loss_scale = 2.5;  // scatters, of the Cauchy loss
+constexpr double least_slope = 0.03;
 constexpr int rounds = 8;
 constexpr int longest_lag = 12;       // neighbours over which scatter may hang together
 constexpr double radius_prior = 0.5;  // of the width of a ring
@@ -80,10 +81,15 @@ class Descent {
  public:
   Descent(const std::vector<RingSighting>& seen, const GrowthSolid& start, const SolidPrior& prior,
           std::size_t faces, double noise)
-      : seen_(seen), mean_(start.state()), precision_(precision_of(start, prior)), noise_(noise) {
+      : seen_(seen),
+        mean_(start.state()),
+        precision_(precision_of(start, prior)),
+        noise_(noise),
+        together_(prior.together) {
     fit_.solid = start;
     fit_.faces.resize(faces);
     off_.resize(seen.size());
+    slope_.assign(seen.size(), 1.0);
     weight_.assign(seen.size(), 0.0);
     rows_.resize(start.size(), Eigen::Index(seen.size()));
   }
@@ -95,7 +101,7 @@ class Descent {
       const auto information = normal_matrix();
       Eigen::VectorXd right = precision_.cwiseProduct(mean_ - state);
       for (std::size_t i = 0; i < seen_.size(); ++i)
-        right -= weight_[i] * off_[i] * seen_[i].slope * rows_.col(Eigen::Index(i));
+        right -= weight_[i] * off_[i] * slope_[i] * rows_.col(Eigen::Index(i));
       const Eigen::VectorXd move = information.ldlt().solve(right);
       fit_.solid.set_state(state + move);
       look();
@@ -106,7 +112,8 @@ class Descent {
       if (one.sightings > 0) one.effect = design_effect(seen_, off_, face, one.scatter);
     }
     set_equations();
-    for (std::size_t i = 0; i < seen_.size(); ++i) weight_[i] /= fit_.faces[seen_[i].face].effect;
+    for (std::size_t i = 0; i < seen_.size(); ++i)
+      weight_[i] *= together_ / fit_.faces[seen_[i].face].effect;
     const Eigen::Index size = fit_.solid.size();
     fit_.solid.covariance = normal_matrix().ldlt().solve(Eigen::MatrixXd::Identity(size, size));
     return fit_;
@@ -123,7 +130,10 @@ class Descent {
       row.setZero();
       row.head(solid.radii_at()) = local.slopes;
       row[solid.radii_at() + Eigen::Index(seen_[i].ring)] = -1.0;
-      off_[i] = (local.rho - solid.radii[seen_[i].ring]) / seen_[i].slope;
+      // Along the picture, as the growth is now: else a flatter growth would seem to fit better.
+      const Eigen::Map<const Eigen::Vector3d> across(seen_[i].across.data());
+      slope_[i] = std::max(local.gradient.dot(across), least_slope);
+      off_[i] = (local.rho - solid.radii[seen_[i].ring]) / slope_[i];
     });
     std::vector<std::vector<double>> sizes(fit_.faces.size());
     for (std::size_t i = 0; i < seen_.size(); ++i)
@@ -136,8 +146,8 @@ class Descent {
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       const double scatter = fit_.faces[seen_[i].face].scatter;
       const double relative = off_[i] / (loss_scale * scatter);
-      const double unit = scatter * seen_[i].slope;
-      weight_[i] = 1.0 / (unit * unit * (1.0 + relative * relative));
+      const double unit = scatter * slope_[i];
+      weight_[i] = 1.0 / (unit * unit * (1.0 + relative * relative) * together_);
     }
   }
 
@@ -148,8 +158,8 @@ class Descent {
     sums.right = Eigen::VectorXd::Zero(state.size());
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       const auto row = rows_.col(Eigen::Index(i));
-      const double offset = off_[i] * seen_[i].slope - row.dot(state);
-      const double unit = fit_.faces[seen_[i].face].scatter * seen_[i].slope;
+      const double offset = off_[i] * slope_[i] - row.dot(state);
+      const double unit = fit_.faces[seen_[i].face].scatter * slope_[i];
       sums.right += weight_[i] * offset * row;
       sums.squares += weight_[i] * offset * offset;
       sums.count += weight_[i] * unit * unit;
@@ -177,7 +187,8 @@ class Descent {
   Eigen::VectorXd mean_, precision_;
   double noise_;
   SolidFit fit_;
-  std::vector<double> off_, weight_;
+  double together_;
+  std::vector<double> off_, slope_, weight_;
   Eigen::MatrixXd rows_;
 };
 

@@ -12,8 +12,8 @@ struct RingSighting {
   StemVector place;
   std::size_t face = 0;  // the picture
   std::size_t ring = 0;
-  int run = 0;         // those of one run follow each other along a ring
-  double slope = 1.0;  // of rho across the line within the picture
+  int run = 0;                       // those of one run follow each other along a ring
+  StemVector across{1.0, 0.0, 0.0};  // unit vector within the picture, outward across the line
 };
 
 /// What is known before anything is looked at: standard deviations.
@@ -22,6 +22,7 @@ struct SolidPrior {
   double lean = 0.04;
   double taper = 0.04;
   std::vector<double> ripples{};  // of each height
+  double together = 1.0;          // neighbours that scatter as one: how little many are worth
 };
 
 /// How the places of one picture lie about their rings.

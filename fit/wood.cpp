@@ -9,8 +9,6 @@
 namespace hada {
 namespace {
 
-// What a picture can say of a boundary whose light and dark share a pixel: anywhere within it.
-constexpr double boundary_px = 0.35;
 // Interpolation and the lattice move all edges of a direction alike, which no scatter shows.
 constexpr double lattice_px = 0.03;
 constexpr double well_seen = 0.5;  // share of the sectors of a ring

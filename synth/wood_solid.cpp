@@ -126,9 +126,9 @@ WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
                                3.0 * dy / place.r + 0.01 * z);
   }
   place.year = year_at(place.rho);
-  const double angle = place.theta - turn_at(place.r, place.year, z);
-  place.section_x = place.rho * std::cos(angle);
-  place.section_y = place.rho * std::sin(angle);
+  place.angle = place.theta - turn_at(place.r, place.year, z);
+  place.section_x = place.rho * std::cos(place.angle);
+  place.section_y = place.rho * std::sin(place.angle);
   return place;
 }
 
@@ -179,19 +179,20 @@ double WoodSolid::boundary_vessels(const Place& place, double soft_mm) const {
   const double radius = wood_.ring_vessel_radius_mm;
   if (ring < 1.0 || place.rho - boundary_rho > 5.0 * radius + soft_mm) return 0.0;
   const double count = std::max(1.0, std::floor(turn * wood_.ring_vessels_per_mm * boundary_rho));
-  const double angle = std::atan2(place.section_y, place.section_x);
-  const double here = std::floor(angle / turn * count);
+  const double here = std::floor(place.angle / turn * count);
+  const double largest = 1.25 * radius;
   const double reach = std::ceil(1.0 + (radius + soft_mm) * wood_.ring_vessels_per_mm);
   const Seed key = hash(boundary_, std::int64_t(ring));
   double dark = 0.0;
   for (double k = here - reach; k <= here + reach; k += 1.0) {
     const auto index = std::int64_t(k - count * std::floor(k / count));
     const double theta = (k + 0.5 + 0.8 * (uniform(key, index, 0) - 0.5)) * turn / count;
+    const double away = std::remainder(place.angle - theta, turn);
+    if (std::abs(boundary_rho * away) > largest + soft_mm) continue;  // most end here
     const double size = radius * (0.75 + 0.5 * uniform(key, index, 1));
     const double rho = boundary_rho + size * 1.15 + 2.0 * radius * uniform(key, index, 2);
     // Along and across the ring: the arc between two places of one ring is nearly straight.
-    const double across = place.rho - rho;
-    const double along = rho * std::remainder(angle - theta, turn);
+    const double across = place.rho - rho, along = rho * away;
     if (std::abs(across) > size + soft_mm || std::abs(along) > size + soft_mm) continue;
     const double distance = std::sqrt(across * across + along * along);
     dark = std::max(dark, inside_disc(distance, size, soft_mm));

@@ -18,7 +18,8 @@ class WoodSolid {
     double r, theta;              // from the pith at its height
     double rho;                   // effective radius
     double year;                  // time of growth t, in rings from the pith; whole at a boundary
-    double section_x, section_y;  // the fibre at z = 0, in the section with round rings
+    double angle;                 // of the fibre at z = 0 around the pith, radians, unwrapped
+    double section_x, section_y;  // the same in the section with round rings
   };
   Place place_at(const StemVector& at) const;
 
