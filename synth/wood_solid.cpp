@@ -45,6 +45,9 @@ WoodSolid::WoodSolid(const Wood<>& wood, Seed seed, Ripples ripples)
       ripples_(std::move(ripples)) {
   const auto& radii = wood_.ring_radii_mm;
   usual_width_ = median_width(radii);
+  for (const auto& lobe : wood_.lobes)
+    whole_orders_ = whole_orders_ && lobe.order == std::floor(lobe.order);
+  wave_start_ = std::cos(wood_.wave_phase_rad);
   if (!radii.empty() && radii.front() > 1.6 * usual_width_)
     inner_years_ = std::max(0.0, std::round(radii.front() / usual_width_) - 1.0);
   const double widest = wood_.vessel_radius_mm + 3.0 * wood_.vessel_radius_sd_mm;
@@ -55,6 +58,27 @@ WoodSolid::WoodSolid(const Wood<>& wood, Seed seed, Ripples ripples)
     for (double k = 0.0; k <= years * steps_per_year; k += 1.0)
       turn_at_zero_.push_back(fractal_noise(fluctuation_, 0.0, k / steps_per_year / 4.0));
   }
+}
+
+/// `effective_radius`; cosines of whole multiples of theta come from those of theta itself.
+double WoodSolid::growth_at(double r, double dx, double dy, double theta) const {
+  if (!whole_orders_) return effective_radius(wood_.lobes, r, theta);
+  if (!(r > 0.0)) return 0.0;
+  const double c = dx / r, s = dy / r;
+  double cosine = 1.0, sine = 0.0, order = 0.0, factor = 1.0;
+  for (const auto& lobe : wood_.lobes) {
+    if (lobe.order < order) {
+      cosine = 1.0;
+      sine = order = 0.0;
+    }
+    for (; order < lobe.order; order += 1.0) {
+      const double next = cosine * c - sine * s;
+      sine = sine * c + cosine * s;
+      cosine = next;
+    }
+    factor += share_at(lobe, r) * (lobe.cosine * cosine + lobe.sine * sine);
+  }
+  return r * factor;
 }
 
 /// Rings from the pith; those before the first that is listed are of one width, and nothing is
@@ -98,8 +122,7 @@ double WoodSolid::turn_at(double r, double year, double z) const {
   const double wave = turn / wood_.wave_length_mm;
   double arc = wood_.spiral * z;
   if (wood_.wave_amplitude > 0.0) {
-    arc += wood_.wave_amplitude / wave *
-           (std::cos(wood_.wave_phase_rad) - std::cos(wave * z + wood_.wave_phase_rad));
+    arc += wood_.wave_amplitude / wave * (wave_start_ - std::cos(wave * z + wood_.wave_phase_rad));
   }
   if (wood_.interlock_amplitude > 0.0) {
     arc += wood_.interlock_amplitude * z *
@@ -116,7 +139,7 @@ WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
   Place place;
   place.r = std::sqrt(dx * dx + dy * dy);
   place.theta = std::atan2(dy, dx);
-  place.rho = effective_radius(wood_.lobes, place.r, place.theta) + wood_.taper * z;
+  place.rho = growth_at(place.r, dx, dy, place.theta) + wood_.taper * z;
   place.rho += ripples_.height_at(at);
   if (wood_.wobble_mm > 0.0) {
     // Looked up along the circle, so that it closes; it dies out towards the pith.

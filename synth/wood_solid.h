@@ -33,6 +33,7 @@ class WoodSolid {
   std::array<float, 3> colour_at(const Place& place, double soft_mm) const;
 
  private:
+  double growth_at(double r, double dx, double dy, double theta) const;
   double year_at(double rho) const;
   double radius_of(double year) const;
   double fluctuation_at(double year, double z) const;
@@ -46,6 +47,8 @@ class WoodSolid {
   Ripples ripples_;
   std::vector<double> turn_at_zero_;  // of the fluctuation, by the sixteenth of a year
   double usual_width_ = 1.0;          // of a ring, mm
+  bool whole_orders_ = true;          // of all lobes
+  double wave_start_ = 1.0;           // cosine of the wave at z = 0
   double inner_years_ = 0.0;          // rings inside the first that is listed
   double vessel_cell_ = 1.0;          // mm
 };
