@@ -16,6 +16,17 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr int fewest_rays = 3;  // that a median is taken of
 
+/// `value_at`, for the loops of this file.
+inline float sampled(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
+  const int row = int(std::floor(pixel.x())), col = int(std::floor(pixel.y()));
+  if (row < 0 || col < 0 || row + 1 >= map.rows() || col + 1 >= map.cols()) return nothing;
+  if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) || !mask(row + 1, col + 1))
+    return nothing;
+  const float v = float(pixel.x() - row), u = float(pixel.y() - col);
+  return (1.0f - v) * ((1.0f - u) * map(row, col) + u * map(row, col + 1)) +
+         v * ((1.0f - u) * map(row + 1, col) + u * map(row + 1, col + 1));
+}
+
 /// The radii of all columns in one direction, exact at every eighth of them.
 std::vector<double> radii_along(const Unrolled& flat, int cols, const GrowthFrame& frame,
                                 double theta) {
@@ -77,13 +88,7 @@ View view_of(const Mask& mask, const Extent& extent, const GrowthFrame& frame) {
 }  // namespace
 
 float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
-  const int row = int(std::floor(pixel.x())), col = int(std::floor(pixel.y()));
-  if (row < 0 || col < 0 || row + 1 >= map.rows() || col + 1 >= map.cols()) return nothing;
-  if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) || !mask(row + 1, col + 1))
-    return nothing;
-  const float v = float(pixel.x() - row), u = float(pixel.y() - col);
-  return (1.0f - v) * ((1.0f - u) * map(row, col) + u * map(row, col + 1)) +
-         v * ((1.0f - u) * map(row + 1, col) + u * map(row + 1, col + 1));
+  return sampled(map, mask, pixel);
 }
 
 Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent,
@@ -104,9 +109,8 @@ Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent
   const int cols = int((view.farthest - view.nearest) / flat.step) + 1;
   flat.values = Grid<float>(sectors, cols, nothing);
   for (int s = 0; s < sectors; ++s) flat.theta.push_back(view.low + (s + 0.5) * flat.sector_rad);
-  for_each_index(sectors, [&](int s) {
-    std::vector<std::array<float, 64>> seen{std::size_t(cols)};
-    std::vector<int> count(std::size_t(cols), 0);
+  const auto lay = [&](int s, std::vector<std::array<float, 64>>& seen, std::vector<int>& count) {
+    std::fill(count.begin(), count.end(), 0);
     for (int ray = 0; ray < rays; ++ray) {
       const double theta =
           flat.theta[std::size_t(s)] + ((ray + 0.5) / rays - 0.5) * flat.sector_rad;
@@ -114,7 +118,7 @@ Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent
       const auto radii = radii_along(flat, cols, frame, theta);
       for (int col = 0; col < cols; ++col) {
         const float value =
-            value_at(map, mask, extent.pixel(frame.pith + radii[std::size_t(col)] * direction));
+            sampled(map, mask, extent.pixel(frame.pith + radii[std::size_t(col)] * direction));
         auto& n = count[std::size_t(col)];
         if (value == value) seen[std::size_t(col)][std::size_t(n++)] = value;
       }
@@ -126,6 +130,11 @@ Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent
       std::nth_element(begin, begin + n / 2, begin + n);
       flat.values(s, col) = *(begin + n / 2);
     }
+  };
+  for_slices(sectors, [&](int begin, int end) {
+    std::vector<std::array<float, 64>> seen{std::size_t(cols)};
+    std::vector<int> count(std::size_t(cols), 0);
+    for (int s = begin; s < end; ++s) lay(s, seen, count);
   });
   return flat;
 }
