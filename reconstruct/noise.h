@@ -17,6 +17,11 @@ inline constexpr double prior_noise = 0.005;
 /// Residuals are pooled over the square of this many pixels to each side.
 inline constexpr int pool_radius_px = 4;
 
+/// What residuals do not show: no surface is Lambertian beyond this share of its albedo, and no two
+/// pictures see the same point in a pixel to more than this (standard deviation along an axis).
+inline constexpr float unexplained_share = 0.0005f;
+inline constexpr float place_sigma_px = 0.06f;
+
 /// The median of chi-squared over its degrees of freedom (Wilson and Hilferty 1931).
 double median_of_chi_squared(double freedom);
 

@@ -122,6 +122,21 @@ Grid<float> model_variance(const LightStack& stack, const NormalOptions& options
   return variance;
 }
 
+// Variance of the normals, per tangent axis, that lies in where a pixel is: it is hardly more than
+// noise on a plane, and decides where the surface turns from pixel to pixel.
+float place_variance(const Orientation& found, int row, int col) {
+  const auto turn = [&](int row_step, int col_step) {
+    const auto inside = [&](int r, int c) { return found.mask.contains(r, c) && found.mask(r, c); };
+    const bool after = inside(row + row_step, col + col_step);
+    const bool before = inside(row - row_step, col - col_step);
+    if (!after && !before) return 0.0f;
+    const auto& to = found.normals(row + after * row_step, col + after * col_step);
+    const auto& from = found.normals(row - before * row_step, col - before * col_step);
+    return (to - from).squaredNorm() / float((after + before) * (after + before));
+  };
+  return 0.5f * place_sigma_px * place_sigma_px * (turn(0, 1) + turn(1, 0));
+}
+
 void judge_all(const LightStack& stack, const NormalOptions& options, const LightSums& sums,
                const NormalMaps& maps, Orientation& found) {
   found.relighting_error = relative(sum_of(sums.used), sum_of(sums.used_picture));
@@ -134,15 +149,20 @@ void judge_all(const LightStack& stack, const NormalOptions& options, const Ligh
   const Grid<float> model = model_variance(stack, options, maps, variance);
   found.normal_sigma = Grid<float>(variance.rows(), variance.cols());
   found.albedo_sigma = found.normal_sigma;
-  for (std::size_t i = 0; i < variance.size(); ++i) {
-    const float unmodelled = unmodelled_share * found.rho[i];
-    const float sample = variance[i] + unmodelled * unmodelled;
-    const float sigma = std::sqrt(sample * maps.noise_gain[i] + maps.light_variance[i] + model[i]);
-    // Where the samples that are believed lie in one plane they say nothing of the normal.
-    const bool known = maps.noise_gain[i] > 0.0f && sigma < right_angle;
-    found.normal_sigma[i] = known || !found.mask[i] ? sigma : right_angle;
-    found.albedo_sigma[i] = found.rho[i] * std::sqrt(sample * maps.albedo_gain[i]);
-  }
+  for_each_index(variance.rows(), [&](int row) {
+    for (int col = 0; col < variance.cols(); ++col) {
+      const float rho = found.rho(row, col);
+      const float unexplained = unexplained_share * rho;
+      const float sample = variance(row, col) + unexplained * unexplained;
+      const float gain = maps.noise_gain(row, col);
+      const float sigma = std::sqrt(sample * gain + maps.light_variance(row, col) +
+                                    model(row, col) + place_variance(found, row, col));
+      // Where the samples that are believed lie in one plane they say nothing of the normal.
+      const bool known = gain > 0.0f && sigma < right_angle;
+      found.normal_sigma(row, col) = known || !found.mask(row, col) ? sigma : right_angle;
+      found.albedo_sigma(row, col) = rho * std::sqrt(sample * maps.albedo_gain(row, col));
+    }
+  });
 }
 
 }  // namespace

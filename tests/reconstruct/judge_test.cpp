@@ -9,6 +9,7 @@
 
 #include "core/random.h"
 #include "reconstruct/least_squares.h"
+#include "reconstruct/noise.h"
 #include "reconstruct/normals.h"
 #include "tiles.h"
 
@@ -108,11 +109,11 @@ TEST(Judge, SaysHowFarLightsThatTurnTogetherTurnTheSurface) {
   }
   stack.light_errors = {mode};
   for (Light& light : stack.lights) light.direction_sigma = turn / std::sqrt(2.0);
-  // The turn of the normal is |y x n| = 0.98 of it. The share of the albedo that no model explains
+  // The turn of the normal is |y x n| = 0.98 of it. The share of the albedo that no residual shows
   // adds to it over the sum of the lights' squared components along the axis, 8 * 0.6^2 / 2.
   const Eigen::Vector3d normal = Eigen::Vector3d(0.2, -0.1, 1.0).normalized();
   const double turned = turn * Eigen::Vector3d::UnitY().cross(normal).norm() / std::sqrt(2.0);
-  const double expected = std::hypot(turned, double(unmodelled_share) / std::sqrt(1.44));
+  const double expected = std::hypot(turned, double(unexplained_share) / std::sqrt(1.44));
   EXPECT_NEAR(sigma_in_the_middle(stack), expected, 0.02 * expected);
   // Lights that tilt each for itself mostly cancel.
   stack.light_errors.clear();

@@ -21,15 +21,17 @@ struct Relief {
   NormalMap normals;
 };
 
-/// `shape(x, y)` returns (z, dz/dx, dz/dy).
+/// `shape(x, y)` returns (z, dz/dx, dz/dy). Every pixel may lie elsewhere than its place in the
+/// grid says, by `place_sigma` px along either axis.
 template <class Shape>
-Relief relief_of(int rows, int cols, const Shape& shape) {
+Relief relief_of(int rows, int cols, const Shape& shape, double place_sigma = 0.0) {
   Relief relief{.extent = {.rows = rows, .cols = cols},
                 .height = Grid<double>(rows, cols),
                 .normals = NormalMap(rows, cols, Eigen::Vector3f::UnitZ())};
   for (int row = 0; row < rows; ++row) {
     for (int col = 0; col < cols; ++col) {
-      const Eigen::Vector2d place = relief.extent.place(row, col);
+      const Eigen::Vector2d off(gaussian(17, row, col, 0), gaussian(17, row, col, 1));
+      const Eigen::Vector2d place = relief.extent.place(row, col) + place_sigma * off;
       const Eigen::Vector3d z = shape(place.x(), place.y());
       relief.height(row, col) = z[0];
       relief.normals(row, col) = Eigen::Vector3d(-z[1], -z[2], 1.0).normalized().cast<float>();
@@ -38,12 +40,13 @@ Relief relief_of(int rows, int cols, const Shape& shape) {
   return relief;
 }
 
-inline Relief waves(int rows, int cols) {
-  return relief_of(rows, cols, [](double x, double y) {
+inline Relief waves(int rows, int cols, double place_sigma = 0.0) {
+  const auto shape = [](double x, double y) {
     return Eigen::Vector3d(2.0 * std::sin(0.2 * x) + 1.5 * std::cos(0.15 * y + 0.1 * x),
                            0.4 * std::cos(0.2 * x) - 0.15 * std::sin(0.15 * y + 0.1 * x),
                            -0.225 * std::sin(0.15 * y + 0.1 * x));
-  });
+  };
+  return relief_of(rows, cols, shape, place_sigma);
 }
 
 /// `count` lights around the sample, alternately 45 and 60 degrees above the table.
