@@ -8,31 +8,47 @@
 namespace hada {
 namespace {
 
+// JSON has no word for what is not known.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
 Json json_of(const Roughness& roughness) {
   Json json;
   for (const RoughnessField& field : roughness_fields) {
     const double value = roughness.*(field.value);
-    // JSON has no word for what is not known.
-    json[std::string(field.name) + (field.unit == "rad" ? "_rad" : "")] =
-        std::isfinite(value) ? Json(value) : Json(nullptr);
+    json[std::string(field.name) + (field.unit == "rad" ? "_rad" : "")] = number(value);
   }
   return json;
 }
 
-Json json_of(const Rings& rings) {
-  return {{"frequency", rings.frequency},
-          {"power", rings.power},
-          {"density", rings.density},
-          {"sigma", rings.sigma},
-          {"count", rings.count}};
+Json numbers(const std::vector<double>& values) {
+  Json json = Json::array();
+  for (const double value : values) json.push_back(number(value));
+  return json;
 }
 
-Json json_of(const Sectors& sectors) {
-  return {{"angle_rad", sectors.angle},
-          {"power", sectors.power},
-          {"density", sectors.density},
-          {"sigma", sectors.sigma},
-          {"count", sectors.count}};
+// What rings and sectors have in common.
+template <class Summary>
+Json json_of(const Summary& summary, const char* place, const std::vector<double>& places) {
+  return {
+      {place, places},          {"power", summary.power},        {"density", summary.density},
+      {"sigma", summary.sigma}, {"low95", numbers(summary.low)}, {"high95", numbers(summary.high)},
+      {"count", summary.count}};
+}
+
+Json json_of(const Decay& decay) {
+  const auto hurst = decay.hurst();
+  return {{"plateau", decay.plateau},
+          {"plateau_sigma", decay.plateau_sigma},
+          {"corner", decay.corner},
+          {"corner_sigma", decay.corner_sigma},
+          {"slope", decay.slope},
+          {"slope_sigma", decay.slope_sigma},
+          {"hurst", hurst ? Json(*hurst) : Json()},
+          {"floor", decay.floor},
+          {"floor_sigma", decay.floor_sigma},
+          {"misfit", decay.misfit}};
 }
 
 Json json_of(const Histogram& histogram) {
@@ -105,6 +121,7 @@ Measurement measure(const Surface& surface) {
   m.spectrum = power_spectrum(map, surface.mask, surface.extent);
   m.rings = rings(m.spectrum);
   m.sectors = sectors(m.spectrum);
+  m.decay = decay_of(m.rings);
   m.bands = bands(m.spectrum, map, surface.mask);
   const Roughness& rough = m.roughness.value;
   const double mean = mean_of(map, surface.mask);
@@ -126,8 +143,9 @@ std::string measurement_text(const Measurement& m) {
                      {"size_px", {m.extent.cols, m.extent.rows}},
                      {"roughness", json_of(m.roughness.value)},
                      {"roughness_sigma", json_of(m.roughness.sigma)},
-                     {"rings", json_of(m.rings)},
-                     {"sectors", json_of(m.sectors)},
+                     {"rings", json_of(m.rings, "frequency", m.rings.frequency)},
+                     {"sectors", json_of(m.sectors, "angle_rad", m.sectors.angle)},
+                     {"decay", m.decay ? json_of(*m.decay) : Json()},
                      {"bands", json_of(m.bands)},
                      {"histogram", json_of(m.values)},
                      {"slope_histogram", m.slopes ? json_of(*m.slopes) : Json()},

@@ -6,6 +6,7 @@
 
 #include "core/surface.h"
 #include "measure/bands.h"
+#include "measure/decay.h"
 #include "measure/histogram.h"
 #include "measure/polar.h"
 #include "measure/roughness.h"
@@ -22,6 +23,7 @@ struct Measurement {
   Spectrum spectrum;
   Rings rings;
   Sectors sectors;
+  std::optional<Decay> decay;  // of the rings
   std::vector<Band> bands;
   Histogram values;                 // of the quantity, 4 Sq about its mean
   std::optional<Histogram> slopes;  // of the steepness of a height, up to 4 Sdq

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/field.h"
+#include "measure/chi_squared.h"
 
 namespace hada {
 namespace {
@@ -54,7 +55,11 @@ void append(Summary& summary, const Bin& bin, const Spectrum& spectrum) {
   const double area = spectrum.extent.width() * spectrum.extent.height();
   summary.power.push_back(bin.sum / area);
   summary.density.push_back(bin.density());
-  summary.sigma.push_back(bin.sigma(spectrum.independence));
+  const double sigma = bin.sigma(spectrum.independence);
+  summary.sigma.push_back(sigma);
+  const Interval interval = power_interval(bin.density(), sigma);
+  summary.low.push_back(interval.low);
+  summary.high.push_back(interval.high);
   summary.count.push_back(int(std::lround(bin.count)));
 }
 

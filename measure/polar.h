@@ -13,16 +13,18 @@ struct Rings {
   std::vector<double> power;      // share of the variance in the ring, unit^2
   std::vector<double> density;    // mean power spectral density in the ring, unit^4
   std::vector<double> sigma;      // standard error of `density`
+  std::vector<double> low, high;  // between which its expectation lies, 95 % (`power_interval`)
   std::vector<int> count;         // ordinates in the ring
 };
 
 /// Power summed over sectors of equal angle, [0, pi): a real map has the same power at f and -f.
 struct Sectors {
-  std::vector<double> angle;    // middle of the sector, counter-clockwise from +x, radians
-  std::vector<double> power;    // share of the variance in the sector, unit^2
-  std::vector<double> density;  // mean power spectral density in the sector, unit^4
-  std::vector<double> sigma;    // standard error of `density`
-  std::vector<int> count;       // ordinates in the sector, shares added up
+  std::vector<double> angle;      // middle of the sector, counter-clockwise from +x, radians
+  std::vector<double> power;      // share of the variance in the sector, unit^2
+  std::vector<double> density;    // mean power spectral density in the sector, unit^4
+  std::vector<double> sigma;      // standard error of `density`
+  std::vector<double> low, high;  // between which its expectation lies, 95 % (`power_interval`)
+  std::vector<int> count;         // ordinates in the sector, shares added up
 };
 
 /// Rings [R, R + dR) up to the Nyquist frequency; fewer than `count` where a ring would be thinner

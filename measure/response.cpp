@@ -21,6 +21,10 @@ double photographed_amplitude(double fx, double fy, double pitch) {
   return sinc(x) * sinc(y) * integrated;
 }
 
+double lens_amplitude(double fx, double fy, double sigma) {
+  return std::exp(-2.0 * std::pow(std::numbers::pi * sigma, 2) * (fx * fx + fy * fy));
+}
+
 double integrated_noise(double fx, double fy, double pitch) {
   const double x = std::numbers::pi * fx * pitch;
   const double y = std::numbers::pi * fy * pitch;

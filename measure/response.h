@@ -13,6 +13,10 @@ namespace hada {
 /// (X sin 2X + Y sin 2Y) / (2 (sin^2 X + sin^2 Y)).
 double photographed_amplitude(double fx, double fy, double pitch);
 
+/// What a lens leaves of the amplitude of a wave whose point spread is a Gaussian of standard
+/// deviation `sigma`, in the unit of which frequencies are the inverse: exp(-2 pi^2 sigma^2 f^2).
+double lens_amplitude(double fx, double fy, double sigma);
+
 /// The power spectral density, in unit^4, that independent errors of the slopes of variance 1 at
 /// every pixel become when the slopes are integrated with trapezoids: pitch^2 times (sin^2 2X +
 /// sin^2 2Y) pitch^2 / (16 (sin^2 X + sin^2 Y)^2). Grows as 1 / f^2 towards long waves.

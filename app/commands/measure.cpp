@@ -1,6 +1,8 @@
 #include "app/commands/measure.h"
 
+#include <cmath>
 #include <numbers>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,26 @@ namespace hada {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+
+std::string decay_text(const Decay& decay, const Extent& extent) {
+  const auto unit = name_of(extent.unit);
+  // A corner that lies among the first few waves is not seen.
+  const bool flat = decay.corner > 2.0 * decay.corner_sigma;
+  std::string text = flat
+                         ? fmt::format("  spectrum flat up to {} cycles/{}, then falling as f^-{}",
+                                       with_sigma(decay.corner, decay.corner_sigma), unit,
+                                       with_sigma(decay.slope, decay.slope_sigma))
+                         : "  spectrum falling as f^-" + with_sigma(decay.slope, decay.slope_sigma);
+  if (const auto hurst = decay.hurst()) {
+    text += fmt::format(" (Hurst exponent {})", with_sigma(*hurst, 0.5 * decay.slope_sigma));
+  }
+  // A floor of which nothing is known does not rise above its own sigma.
+  if (decay.floor > 2.0 * decay.floor_sigma) {
+    text += fmt::format(", down to white noise of {:.3g} {} rms",
+                        std::sqrt(decay.floor) / extent.pitch, unit);
+  }
+  return text;
+}
 
 void tell(const Measurement& m, const Terminal& terminal) {
   const bool is_height = m.quantity == "height";
@@ -36,6 +58,7 @@ void tell(const Measurement& m, const Terminal& terminal) {
             : "varying along " +
                   with_sigma(band.direction / degree, band.direction_sigma / degree) + " deg"));
   }
+  if (m.decay) terminal.say(decay_text(*m.decay, m.extent));
   std::string at;
   for (const int i : m.ring_peaks) {
     at += fmt::format("{}{:.3g}", at.empty() ? "" : ", ", m.rings.frequency[std::size_t(i)]);
