@@ -172,6 +172,12 @@ void add_modelling(Commands& commands) {
             .add_option("--components", a.components,
                         "number of components (default: the data decide)")
             ->check(CLI::Range(1, 8));
+        command
+            .add_option("--lens-blur", a.lens_blur_px,
+                        "of wrinkles: standard deviation of what the lens blurs, in pixels, where "
+                        "it is known (default: 0)")
+            ->type_name("PX")
+            ->check(CLI::Range(0.0, 10.0));
         command.add_option("--face", a.face,
                            "of wood: picture of the tangential face, stem upright, same pitch");
         command

@@ -12,7 +12,9 @@ namespace {
 // One overload per material: the only place where its fit is called.
 Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface,
                         const FitMaterialOptions& options) {
-  return fit_wrinkle(surface, {.components = options.components, .progress = options.progress});
+  return fit_wrinkle(surface, {.components = options.components,
+                               .lens_blur_px = options.lens_blur_px,
+                               .progress = options.progress});
 }
 
 Fit<Knit<>> fit_like(const Knit<>&, const Surface& surface, const FitMaterialOptions& options) {

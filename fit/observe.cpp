@@ -21,19 +21,32 @@ double steps_emptied_by(const std::string& levelling) {
   return levelling == "plane" ? 1.5 : 2.5;
 }
 
-// What pixels and integration leave of the power of a wave. Near Nyquist nothing is left that could
-// be given back.
-double power_left(double fx, double fy, double pitch) {
-  constexpr double least = 0.1;
-  const double amplitude = photographed_amplitude(fx, fy, pitch);
-  return std::max(amplitude * amplitude, least);
-}
+// What is left of the power of a wave on the way from the surface to the map. Near Nyquist nothing
+// is left that could be given back.
+struct Losses {
+  double pitch;
+  bool photographed;
+  double lens_blur_px;
 
-void give_back(Spectrum& spectrum) {
+  double power_left(double fx, double fy) const {
+    constexpr double least = 0.1;
+    double amplitude = photographed ? photographed_amplitude(fx, fy, pitch) : 1.0;
+    if (lens_blur_px > 0.0) amplitude *= lens_amplitude(fx, fy, lens_blur_px * pitch);
+    return std::max(amplitude * amplitude, least);
+  }
+
+  // Share of the Nyquist frequency up to which the lens leaves a third of the power: what it took
+  // beyond is known too badly to be given back.
+  double reach() const {
+    if (lens_blur_px <= 0.0) return std::numbers::sqrt2;  // the corners
+    return std::sqrt(std::log(3.0)) / (std::numbers::pi * lens_blur_px);
+  }
+};
+
+void give_back(const Losses& losses, Spectrum& spectrum) {
   for (int row = 0; row < spectrum.power.rows(); ++row) {
     for (int col = 0; col < spectrum.power.cols(); ++col) {
-      spectrum.power(row, col) /=
-          power_left(spectrum.fx(col), spectrum.fy(row), spectrum.extent.pitch);
+      spectrum.power(row, col) /= losses.power_left(spectrum.fx(col), spectrum.fy(row));
     }
   }
 }
@@ -52,14 +65,14 @@ double mean_square(const Grid<float>& values, const Mask& mask) {
 // The variance of the slopes that shows as noise: what the fast waves hold, where the wrinkles have
 // faded, but no more than the surface says of its normals (which counts the errors of the lights
 // too, and those are no noise).
-double slope_noise(const Surface& surface, const std::vector<Cell>& cells) {
-  const double pitch = surface.extent.pitch;
+double slope_noise(const Surface& surface, const Losses& losses, const std::vector<Cell>& cells) {
+  const double pitch = losses.pitch;
   const double fast = 0.7 * 0.5 / pitch;
   std::vector<double> variances;
   for (const Cell& cell : cells) {
     const double frequency = std::hypot(cell.fx, cell.fy);
     if (frequency < fast || frequency > 0.5 / pitch) continue;
-    variances.push_back(cell.power * power_left(cell.fx, cell.fy, pitch) /
+    variances.push_back(cell.power * losses.power_left(cell.fx, cell.fy) /
                         integrated_noise(cell.fx, cell.fy, pitch));
   }
   const double told = mean_square(surface.normal_sigma, surface.mask);
@@ -68,7 +81,7 @@ double slope_noise(const Surface& surface, const std::vector<Cell>& cells) {
 
 }  // namespace
 
-Observation observe(const Surface& surface) {
+Observation observe(const Surface& surface, double lens_blur_px) {
   Observation seen;
   if (!surface.has_height() && surface.albedo.empty()) {
     throw Error("wrinkle fit: the surface has neither height nor albedo; reconstruct it first");
@@ -82,7 +95,8 @@ Observation observe(const Surface& surface) {
   const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
   seen.spectrum = power_spectrum(map, surface.mask, surface.extent);
   const bool photographed = surface.has_height() && !surface.normal_sigma.empty();
-  if (photographed) give_back(seen.spectrum);
+  const Losses losses{surface.extent.pitch, photographed, lens_blur_px};
+  if (photographed || lens_blur_px > 0.0) give_back(losses, seen.spectrum);
   const Extent& box = seen.spectrum.extent;
   if (box.rows < fewest_pixels || box.cols < fewest_pixels) {
     throw Error("wrinkle fit: the mask is smaller than 32 x 32 pixels; measure a larger sample");
@@ -92,25 +106,24 @@ Observation observe(const Surface& surface) {
   }
   const Leakage leaked = leakage(seen.spectrum);
   const double hole = steps_emptied_by(surface.levelling);
-  seen.full =
-      cells_of(seen.spectrum, leaked, {.empty_steps = hole, .most_leakage = 1.0, .faintest = 0.0});
-  seen.square = cells_of(
+  const double reach = losses.reach();
+  seen.full = cells_of(
       seen.spectrum, leaked,
-      {.empty_steps = hole, .reach = std::numbers::sqrt2, .most_leakage = 1.0, .faintest = 0.0});
-  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe_reach});
-  seen.coarse = cells_of(seen.spectrum, leaked,
-                         {.empty_steps = hole,
-                          .reach = safe_reach,
-                          .inner_bins = 10.0,
-                          .growth = 0.12,
-                          .faintest = 1e-6});
+      {.empty_steps = hole, .reach = std::min(reach, 1.0), .most_leakage = 1.0, .faintest = 0.0});
+  seen.square =
+      cells_of(seen.spectrum, leaked,
+               {.empty_steps = hole, .reach = reach, .most_leakage = 1.0, .faintest = 0.0});
+  const double safe = std::min(reach, safe_reach);
+  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe});
+  seen.coarse = cells_of(
+      seen.spectrum, leaked,
+      {.empty_steps = hole, .reach = safe, .inner_bins = 10.0, .growth = 0.12, .faintest = 1e-6});
   if (photographed) {
-    const double variance = slope_noise(surface, seen.full);
-    const double pitch = surface.extent.pitch;
+    const double variance = slope_noise(surface, losses, seen.full);
     for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {
       for (Cell& cell : *cells) {
-        cell.noise = variance * integrated_noise(cell.fx, cell.fy, pitch) /
-                     power_left(cell.fx, cell.fy, pitch);
+        cell.noise = variance * integrated_noise(cell.fx, cell.fy, losses.pitch) /
+                     losses.power_left(cell.fx, cell.fy);
       }
     }
   }

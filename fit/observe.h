@@ -21,9 +21,11 @@ struct Observation {
 
 /// The spectrum of a surface in cells of three kinds. For a surface that comes from photographs,
 /// what pixels and integration took from each wave is given back, and the noise of its normals,
-/// which integration turns into slow waves, is known to every cell.
+/// which integration turns into slow waves, is known to every cell. What a lens took is given back
+/// where it is known.
 ///
+/// lens_blur_px  standard deviation of the lens's point spread, pixels; 0: none that matters
 /// throws  Error if there is nothing to fit, or the mask is smaller than 32 x 32 pixels
-Observation observe(const Surface& surface);
+Observation observe(const Surface& surface, double lens_blur_px = 0.0);
 
 }  // namespace hada

@@ -196,7 +196,7 @@ Wrinkle<> canonical(Wrinkle<> wrinkle) {
 }
 
 Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options) {
-  const Observation seen = observe(surface);
+  const Observation seen = observe(surface, options.lens_blur_px);
   const int starts = std::max(options.starts, 6);
   const int fewest = options.components > 0 ? options.components : 1;
   const int most = options.components > 0 ? options.components : options.most_components;

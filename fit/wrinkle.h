@@ -10,9 +10,10 @@
 namespace hada {
 
 struct WrinkleFitOptions {
-  int components = 0;       // how many noise functions; 0: chosen by BIC
-  int most_components = 4;  // the largest number that BIC may choose
-  int starts = 8;           // at least 6
+  int components = 0;         // how many noise functions; 0: chosen by BIC
+  int most_components = 4;    // the largest number that BIC may choose
+  int starts = 8;             // at least 6
+  double lens_blur_px = 0.0;  // standard deviation of the lens's point spread, where it is known
   FitProgress progress = {};
 };
 

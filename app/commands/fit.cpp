@@ -24,6 +24,7 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
   terminal.step("fitting " + arguments.material);
   const MaterialFile file = fit_material(arguments.material, surface, last_name(arguments.input),
                                          {.components = arguments.components,
+                                          .lens_blur_px = arguments.lens_blur_px,
                                           .view = arguments.view,
                                           .face = face ? &*face : nullptr,
                                           .progress = [&](const std::string& stage) {

@@ -38,6 +38,21 @@ TEST(Observe, GivesBackWhatPhotographsTook) {
   EXPECT_EQ(total(plain.fine, &Cell::noise), 0.0);
 }
 
+TEST(Observe, GivesBackWhatALensTook) {
+  const Surface surface = white_surface();
+  const auto plain = observe(surface);
+  const auto known = observe(surface, 1.0);
+  const double f = plain.spectrum.fx(12) * 0.2;  // cycles per pixel
+  const double left = std::exp(-std::pow(2.0 * std::numbers::pi * f, 2));
+  EXPECT_NEAR(known.spectrum.power(0, 12) * left, plain.spectrum.power(0, 12),
+              1e-9 * plain.spectrum.power(0, 12));
+  // And no cell lies where less than a third of the power was left.
+  for (const Cell& cell : known.full) {
+    EXPECT_LT(std::hypot(cell.fx, cell.fy) * 0.2,
+              std::sqrt(std::log(3.0)) / (2.0 * std::numbers::pi) + 1e-12);
+  }
+}
+
 TEST(Observe, BelievesNoMoreNoiseThanTheNormalsAdmit) {
   Surface surface = white_surface();
   double before = 0.0;
