@@ -1,5 +1,7 @@
 #include "app/virtual_capture.h"
 
+#include <variant>
+
 #include <fmt/format.h>
 
 #include "app/files.h"
@@ -29,10 +31,19 @@ CaptureFile manifest(const std::filesystem::path& folder, std::size_t pictures, 
   return file;
 }
 
+// A sheet is cut from a larger one. A field that tiles is one period, in which the longest waves come
+// out stronger or weaker than their law says, by luck that a fit cannot see.
+Surface sheet_of(const Recipe& recipe) {
+  if (std::holds_alternative<Wrinkle<>>(recipe.material)) {
+    return synthesize_window(recipe.material, recipe.sheet, {0.0, 0.0}, recipe.sheet_seed);
+  }
+  return synthesize(recipe.material, recipe.sheet, recipe.sheet_seed);
+}
+
 }  // namespace
 
 VirtualCapture virtual_capture(const Recipe& recipe) {
-  const Surface sheet = synthesize(recipe.material, recipe.sheet, recipe.sheet_seed);
+  const Surface sheet = sheet_of(recipe);
   VirtualCapture capture{photograph(sheet, recipe.rig), seen(sheet, recipe.rig)};
   for (std::size_t k = 0; k < capture.stack.lights.size(); ++k) {
     capture.stack.lights[k].image = picture_name(k, recipe.rig.bits);

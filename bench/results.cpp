@@ -20,6 +20,7 @@
 #include "bench/results_fold.h"
 #include "bench/results_forged.h"
 #include "bench/results_knit.h"
+#include "bench/results_loop.h"
 #include "bench/results_page.h"
 #include "bench/results_studio.h"
 #include "bench/results_wood.h"
@@ -166,30 +167,6 @@ std::string estimators() {
   return page;
 }
 
-std::string virtual_captures() {
-  std::vector<double> lights, normals, heights;
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    say(fmt::format("virtual capture {}", seed));
-    const auto score = hada::synthetic_loop(seed);
-    lights.push_back(score.lights_deg);
-    normals.push_back(score.normals_deg);
-    heights.push_back(100.0 * score.height_share);
-  }
-  const auto text = [](const std::vector<double>& v, const char* unit) {
-    return fmt::format("{:.2f} {} median, {:.2f} worst of {}", median(v), unit,
-                       *std::max_element(v.begin(), v.end()), v.size());
-  };
-  const auto worst = [](const std::vector<double>& v) {
-    return *std::max_element(v.begin(), v.end());
-  };
-  return table("Virtual captures: rendered 4 times finer, noise, 16 bits",
-               "| figure | must be | measured | |") +
-         row({"lights", "<= 0.3 deg mean", text(lights, "deg"), verdict(worst(lights) <= 0.3)}) +
-         row({"normals", "<= 1.0 deg mean", text(normals, "deg"), verdict(worst(normals) <= 1.0)}) +
-         row({"height, rms error over its standard deviation", "<= 2 %", text(heights, "%"),
-              verdict(worst(heights) <= 2.0)});
-}
-
 std::string integration_speed() {
   say("integration, beside other solvers");
   std::string page =
@@ -308,7 +285,8 @@ int main(int argc, char** argv) {
       {"rendered", rendered_captures},
       {"lights", light_intervals},
       {"normals", estimators},
-      {"virtual", virtual_captures},
+      {"virtual", hada::virtual_captures},
+      {"loop", hada::closed_loop},
       {"depth", depth_from_normals},
       {"height", integration_speed},
       {"wrinkle", hada::wrinkle_results},
