@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "fit/solve.h"
 #include "mechanics/knit_newton.h"
@@ -15,6 +17,9 @@ namespace {
 constexpr int most_parameters = 4;  // log ratio, continuity, log wale, log course
 constexpr double exactness = 1e-9;  // of derivatives
 constexpr double nowhere = 1e3;     // a residual where the knit does not come to rest, in wales
+// Of a wale: no crossing is known better. What only smaller differences than this would tell is not
+// told, even if they fit.
+constexpr double least_noise = 1e-6;
 
 const std::vector<SolverBounds> bounds{{std::log(1e-2), std::log(1e3)},
                                        {0.0, 0.95},
@@ -81,6 +86,25 @@ class PulledModel {
         }
       }
     }
+  }
+
+  /// The first state in which the knit does not come to rest, or how many there are.
+  std::size_t restless(const double* p) {
+    std::size_t state = 0;
+    while (state < states_.size() && at_rest(net(p, state), state)) ++state;
+    return state;
+  }
+
+  /// How far clamped crossings were seen from where the stretch puts them, in wales, root mean
+  /// square.
+  double clamps_off(std::size_t state) const {
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < start_[state].size(); ++i) {
+      if (!pins_[state][i]) continue;
+      sum += (states_[state].places[i] - start_[state][i]).squaredNorm();
+      count += 1.0;
+    }
+    return std::sqrt(sum / std::max(count, 1.0)) / rest_.wale_length;
   }
 
   /// The force on one edge's clamps in a state, along the pull, for nylon of k = 1: the mean of
@@ -152,6 +176,14 @@ void check(const KnitNet& net, const std::vector<int>& repeat,
     if (state.places.size() != std::size_t(net.points())) {
       throw Error("every state needs a place for each crossing of the knit");
     }
+    // What is further out than the knit is long was seen in another frame, or not at all.
+    const double farthest = 100.0 * state.stretch * (net.wales + net.courses) *
+                            std::max(net.wale_length, net.course_length);
+    for (const auto& place : state.places) {
+      if (!(place.cwiseAbs().maxCoeff() < farthest)) {
+        throw Error("a crossing lies far outside the knit: give places in mm, about its middle");
+      }
+    }
   }
 }
 
@@ -163,7 +195,25 @@ Eigen::MatrixXd information_at(PulledModel& model, const std::vector<double>& p)
   return jacobian.transpose() * jacobian;
 }
 
-void add_remarks(KnitStiffness& found, KnitClamp clamp) {
+void add_remarks(KnitStiffness& found, KnitClamp clamp, const PulledModel& model,
+                 const std::vector<KnitState>& states, const std::vector<double>& p) {
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    constexpr double most_off = 0.05;  // of a wale: more is no noise of a picture
+    const double off = model.clamps_off(s);
+    if (off < std::max(most_off, 4.0 * least_noise)) continue;
+    found.remarks.push_back(
+        fmt::format("the clamped crossings of state {} lie {:.2g} wales from where a stretch of "
+                    "{:g} puts them: "
+                    "check the stretch, and that places count from the middle of the knit",
+                    s + 1, off, states[s].stretch));
+  }
+  const char* const names[] = {"stiffness ratio", "yarn coefficient", "wale", "course"};
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    constexpr double near = 1e-6;
+    if (p[k] > bounds[k].low + near && p[k] < bounds[k].high - near) continue;
+    found.remarks.push_back(
+        fmt::format("the {} lies on its bound: its sigma means nothing", names[k]));
+  }
   const bool loose_ratio = found.log_ratio_sigma > 0.3,
              loose_coefficient = found.continuity.sigma > 0.1;
   if (loose_ratio) found.remarks.push_back("these states hardly tell the stiffness ratio");
@@ -207,7 +257,13 @@ KnitStiffness knit_stiffness(const KnitNet& net, const std::vector<int>& repeat,
   }
   PulledModel model(net, repeat, clamp, states, parameters);
   const auto& p = best.packed;
-  const double variance = 2.0 * best.cost / std::max(model.residuals() - parameters, 1);
+  if (const std::size_t state = best.packed.empty() ? 0 : model.restless(p.data());
+      best.packed.empty() || state < states.size()) {
+    throw Error(fmt::format(
+        "the knit of state {} does not come to rest: check its stretch and clamps", state + 1));
+  }
+  const double variance = std::max(2.0 * best.cost / std::max(model.residuals() - parameters, 1),
+                                   least_noise * least_noise);
   const Eigen::MatrixXd covariance =
       variance * covariance_of(information_at(model, p), std::vector<bool>(p.size(), true));
   const auto sigma = [&](int k) { return std::sqrt(covariance(k, k)); };
@@ -224,6 +280,10 @@ KnitStiffness knit_stiffness(const KnitNet& net, const std::vector<int>& repeat,
   if (options.load_N) {
     const std::size_t last = states.size() - 1;
     const double load = model.load(p.data(), last);
+    if (!(load > 0.0)) {
+      throw Error(
+          "the last state pulls at no clamp: a load says nothing of a knit at its own length");
+    }
     Eigen::VectorXd slope(parameters);
     for (int k = 0; k < parameters; ++k) {
       auto ahead = p;
@@ -234,7 +294,7 @@ KnitStiffness knit_stiffness(const KnitNet& net, const std::vector<int>& repeat,
     const double k = *options.load_N / load;
     found.nylon_N_per_mm = Found{k, k * std::sqrt(std::max(slope.dot(covariance * slope), 0.0))};
   }
-  add_remarks(found, clamp);
+  add_remarks(found, clamp, model, states, p);
   return found;
 }
 

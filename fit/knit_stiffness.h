@@ -50,9 +50,9 @@ struct KnitStiffness {
 ///
 /// net     courses, wales, lengths at rest and continuity; stiffness and pins are not read
 /// repeat  of the courses, upward: 0 nylon, else support
-/// throws  Error without a state, without a course of each yarn, or if a state has other places
-/// than
-///         the net
+/// throws  Error without a state, without a course of each yarn, if a state has other places than
+///         the net, if the knit of a state does not come to rest, or if a load is given for a state
+///         that pulls at no clamp
 KnitStiffness knit_stiffness(const KnitNet& net, const std::vector<int>& repeat, KnitClamp clamp,
                              const std::vector<KnitState>& states,
                              const KnitStiffnessOptions& options = {});

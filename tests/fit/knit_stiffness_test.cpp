@@ -1,5 +1,8 @@
 #include "fit/knit_stiffness.h"
 
+#include <algorithm>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -84,6 +87,26 @@ TEST(KnitStiffness, SaysWhichClampTellsWhat) {
   EXPECT_GE(found.remarks.size(), 3u);
 }
 
+TEST(KnitStiffness, IsNoSurerOfExactCrossingsThanTheyTell) {
+  // Uniform clamps pulled along the courses: every ratio makes the same even places.
+  const auto states = seen(KnitPull::course, KnitClamp::uniform, 10.0, 0.0, 1);
+  const auto found = knit_stiffness(patch(), {0, 1}, KnitClamp::uniform, states);
+  EXPECT_GT(found.log_ratio_sigma, 0.3);
+  EXPECT_NEAR(found.continuity.value, 0.2, 5.0 * found.continuity.sigma);
+  const auto hardly = [](const std::string& remark) { return remark.find("ratio") != remark.npos; };
+  EXPECT_TRUE(std::any_of(found.remarks.begin(), found.remarks.end(), hardly));
+}
+
+TEST(KnitStiffness, NoticesAStretchThatWasNotTheOneStated) {
+  auto states = seen(KnitPull::wale, KnitClamp::three_points, 10.0, 0.02, 1);
+  states[1].stretch = 1.6;
+  const auto found = knit_stiffness(patch(), {0, 1}, KnitClamp::three_points, states);
+  const auto of_clamps = [](const std::string& remark) {
+    return remark.find("state 2") != remark.npos;
+  };
+  EXPECT_TRUE(std::any_of(found.remarks.begin(), found.remarks.end(), of_clamps));
+}
+
 TEST(KnitStiffness, TakesALoadForTheStiffnessItself) {
   // Uniform along the wales, 10 columns: 5 of nylon and 4 of support in series share 4.5 * 1.5 mm.
   const auto states = seen(KnitPull::wale, KnitClamp::uniform, 10.0, 0.0, 1);
@@ -109,6 +132,12 @@ TEST(KnitStiffness, RefusesWhatHoldsNoAnswer) {
   const auto states = seen(KnitPull::wale, KnitClamp::uniform, 10.0, 0.0, 1);
   EXPECT_THROW(knit_stiffness(patch(), {0, 1}, KnitClamp::uniform, {}), Error);
   EXPECT_THROW(knit_stiffness(patch(), {0}, KnitClamp::uniform, states), Error);
+  auto pushed = states;
+  pushed[0].stretch = 0.5;
+  EXPECT_THROW(knit_stiffness(patch(), {0, 1}, KnitClamp::uniform, pushed), Error);
+  auto far_out = states;
+  far_out[0].places[44] = {1e200, 0.0, 0.0};
+  EXPECT_THROW(knit_stiffness(patch(), {0, 1}, KnitClamp::uniform, far_out), Error);
   auto short_one = states;
   short_one[0].places.pop_back();
   EXPECT_THROW(knit_stiffness(patch(), {0, 1}, KnitClamp::uniform, short_one), Error);
