@@ -15,7 +15,7 @@ KnitMotion knit_motion(const KnitNet& net, Places start, const KnitMotionOptions
   if (stiffest * options.time_step * options.time_step >= 4.0 - 2.0 * options.damping) {
     throw Error("springs of this stiffness need a shorter time step than the one given");
   }
-  KnitMotion result{std::move(start), {}};
+  KnitMotion result{std::move(start), {}, false};
   Places speed(result.places.size(), Eigen::Vector3d::Zero());
   for (int step = 0; step < options.most_steps; ++step) {
     const Places force = forces(net, springs_of(net, result.places));
@@ -28,7 +28,8 @@ KnitMotion knit_motion(const KnitNet& net, Places start, const KnitMotionOptions
       longest = std::max(longest, options.time_step * speed[p].norm());
     }
     result.motion.push_back(longest / net.wale_length);
-    if (result.motion.back() < options.still) break;
+    result.settled = result.motion.back() < options.still;
+    if (result.settled) break;
   }
   return result;
 }

@@ -14,6 +14,7 @@ struct KnitMotionOptions {
 struct KnitMotion {
   Places places;
   std::vector<double> motion;  // after each step: the longest of any point, in wale lengths
+  bool settled = false;        // whether the last was below `still`; slow is not at rest
 };
 
 /// The knit as the paper moves it: v += F dt, v *= 1 - damping, x += v dt, with masses of 1, until

@@ -7,8 +7,8 @@
 namespace hada {
 
 PulledKnit pulled(KnitNet net, KnitPull pull, KnitClamp clamp, double stretch) {
-  if (!(stretch > 0.0) || !std::isfinite(stretch)) {
-    throw Error("a stretch must be a number greater than 0, as 1.2");
+  if (!(stretch >= 1.0) || !std::isfinite(stretch)) {
+    throw Error("a stretch must be a number from 1 on, as 1.2: a knit that is pushed folds");
   }
   const bool along = pull == KnitPull::course;
   const double dx = net.wale_length * (along ? stretch : 1.0);

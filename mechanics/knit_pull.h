@@ -17,7 +17,8 @@ struct PulledKnit {
 /// `stretch` times its length at rest along `pull`; two opposite edges are then held where they
 /// are.
 ///
-/// throws  Error unless stretch is finite and > 0
+/// throws  Error unless stretch is finite and 1 at least: a knit that is pushed folds out of its
+///         plane, and what balances there within it does not last
 PulledKnit pulled(KnitNet net, KnitPull pull, KnitClamp clamp, double stretch);
 
 }  // namespace hada

@@ -49,6 +49,12 @@ void knit_pull_command(const KnitPullArguments& arguments, const Terminal& termi
     if (arguments.as_the_paper) {
       const auto motion = knit_motion(knit.net, knit.start);
       places = motion.places, steps = int(motion.motion.size());
+      if (!motion.settled) {
+        throw Error(
+            fmt::format("the knit still moves after {} of the paper's steps: leave out "
+                        "--as-the-paper, or take fewer stitches",
+                        steps));
+      }
       // On the way, as figure 8 of the paper shows it.
       for (const int on_the_way : {0, 10, 30}) {
         pictured.push_back(knit_motion(knit.net, knit.start, {.most_steps = on_the_way}).places);
@@ -58,7 +64,7 @@ void knit_pull_command(const KnitPullArguments& arguments, const Terminal& termi
       if (!rest.settled) {
         throw Error(
             fmt::format("a knit of {} x {} pulled to {:g} by {} clamps does not come to rest: "
-                        "take fewer stitches, a smaller stretch or uniform clamps",
+                        "take fewer stitches or uniform clamps",
                         arguments.courses, arguments.wales, stretch, arguments.clamp));
       }
       places = rest.places, steps = rest.steps;
@@ -72,9 +78,10 @@ void knit_pull_command(const KnitPullArguments& arguments, const Terminal& termi
     }
     crossings.states.push_back({pull, stretch, places});
     json["states"].push_back({{"stretch", stretch}, {"steps", steps}});
-    terminal.say(
-        fmt::format("{} x {} stitches pulled to {:g} along the {}s: at rest after {} steps",
-                    arguments.courses, arguments.wales, stretch, arguments.along, steps));
+    terminal.say(fmt::format(
+        "{} x {} stitches pulled to {:g} along the {}s: {} after {} steps", arguments.courses,
+        arguments.wales, stretch, arguments.along,
+        arguments.as_the_paper ? "moving by less than 0.001 wale a step" : "at rest", steps));
   }
   Output output(arguments.out);
   put_text(output, "crossings.json", crossings_text(crossings));

@@ -39,6 +39,7 @@ TEST(KnitPull, HoldsEdgesOrThreePointsOfThem) {
 
 TEST(KnitPull, RefusesAStretchThatIsNone) {
   EXPECT_THROW(pulled(small(), KnitPull::wale, KnitClamp::uniform, 0.0), Error);
+  EXPECT_THROW(pulled(small(), KnitPull::wale, KnitClamp::uniform, 0.99), Error);
   EXPECT_THROW(pulled(small(), KnitPull::wale, KnitClamp::uniform, NAN), Error);
 }
 
