@@ -13,6 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Height over longest side below which a triangle is a sliver: places in files are rounded to some
+// 1e-6 of the body, which turns a flatter one by degrees.
+constexpr double flattest = 1e-4;
+
 TriangleMesh welded(const TriangleMesh& mesh) {
   TriangleMesh result;
   std::map<std::array<double, 3>, int> known;
@@ -23,6 +27,9 @@ TriangleMesh welded(const TriangleMesh& mesh) {
     if (is_new) result.vertices_mm.push_back(v);
     number.push_back(at->second);
   }
+  // About the middle: that of an open mesh hangs on the point it is taken about.
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& v : result.vertices_mm) middle += v / double(result.vertices_mm.size());
   double volume = 0.0;
   for (auto t : mesh.triangles) {
     for (int& v : t) v = number[std::size_t(v)];
@@ -30,7 +37,7 @@ TriangleMesh welded(const TriangleMesh& mesh) {
                    &b = result.vertices_mm[std::size_t(t[1])],
                    &c = result.vertices_mm[std::size_t(t[2])];
     if ((b - a).cross(c - a).norm() == 0.0) continue;
-    volume += a.dot(b.cross(c));
+    volume += (a - middle).dot((b - middle).cross(c - middle));
     result.triangles.push_back(t);
   }
   if (result.triangles.empty()) {
@@ -40,6 +47,23 @@ TriangleMesh welded(const TriangleMesh& mesh) {
     if (volume < 0.0) std::swap(t[1], t[2]);
   }
   return result;
+}
+
+std::array<Vector3d, 3> corners_of(const TriangleMesh& mesh, std::size_t triangle) {
+  std::array<Vector3d, 3> corners;
+  for (std::size_t s = 0; s < 3; ++s) {
+    corners[s] = mesh.vertices_mm[std::size_t(mesh.triangles[triangle][s])];
+  }
+  return corners;
+}
+
+std::size_t longest_side(const std::array<Vector3d, 3>& corners) {
+  std::size_t longest = 0;
+  const auto length = [&](std::size_t s) { return (corners[(s + 1) % 3] - corners[s]).norm(); };
+  for (const std::size_t s : {1, 2}) {
+    if (length(s) > length(longest)) longest = s;
+  }
+  return longest;
 }
 
 std::vector<std::array<int, 3>> neighbours_of(const TriangleMesh& mesh) {
@@ -66,11 +90,26 @@ Body::Body(const TriangleMesh& mesh)
       tree_(mesh_),
       neighbours_(neighbours_of(mesh_)),
       corner_normals_(mesh_.vertices_mm.size(), Vector3d::Zero()) {
-  for (const auto& t : mesh_.triangles) {
-    std::array<Vector3d, 3> p;
-    for (std::size_t s = 0; s < 3; ++s) p[s] = mesh_.vertices_mm[std::size_t(t[s])];
-    const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-    facet_normals_.push_back(normal);
+  std::vector<int> across;  // from each sliver over its longest side; else -1
+  for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+    const auto p = corners_of(mesh_, i);
+    const Vector3d twice_area = (p[1] - p[0]).cross(p[2] - p[0]);
+    facet_normals_.push_back(twice_area.normalized());
+    const std::size_t side = longest_side(p);
+    const double height = twice_area.norm() / (p[(side + 1) % 3] - p[side]).squaredNorm();
+    slivers_.push_back(height < flattest);
+    across.push_back(slivers_[i] ? neighbours_[i][side] : -1);
+  }
+  // Slivers may lie against slivers: a few rounds reach a triangle with a face.
+  for (int round = 0; round < 4; ++round) {
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      if (across[i] >= 0) facet_normals_[i] = facet_normals_[std::size_t(across[i])];
+    }
+  }
+  for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+    const auto& t = mesh_.triangles[i];
+    const auto p = corners_of(mesh_, i);
+    const Vector3d& normal = facet_normals_[i];
     for (std::size_t s = 0; s < 3; ++s) {
       const Vector3d u = p[(s + 1) % 3] - p[s], v = p[(s + 2) % 3] - p[s];
       corner_normals_[std::size_t(t[s])] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
@@ -101,6 +140,7 @@ Vector3d Body::smooth_place(const MeshPlace& at) const {
 }
 
 Eigen::Matrix3d Body::curvature(const MeshPlace& at) const {
+  if (slivers_[std::size_t(at.triangle)]) return Eigen::Matrix3d::Zero();  // too thin to tell
   const auto& t = mesh_.triangles[std::size_t(at.triangle)];
   const auto corner = [&](std::size_t s) { return mesh_.vertices_mm[std::size_t(t[s])]; };
   const auto normal_at = [&](std::size_t s) { return corner_normals_[std::size_t(t[s])]; };

@@ -12,7 +12,8 @@ namespace hada {
 class Body {
  public:
   /// Corners that lie in one place become one, triangles without area are left out, and all are
-  /// turned so that the volume is positive.
+  /// turned so that the volume is positive. Slivers, whose own normal is rounding, lie in the plane
+  /// of the triangle across their longest side.
   ///
   /// Holes are allowed where no knit comes near (a leg may be open at its top).
   /// throws  Error if nothing is left
@@ -49,6 +50,7 @@ class Body {
   TriangleMesh mesh_;
   MeshTree tree_;
   std::vector<std::array<int, 3>> neighbours_;
+  std::vector<bool> slivers_;
   std::vector<Eigen::Vector3d> facet_normals_, corner_normals_;
 };
 
