@@ -16,11 +16,15 @@ std::vector<double> densities(const WornKnit& knit) {
 std::vector<double> pressures(const WornKnit& knit, int repeat) {
   const int courses = knit.net.courses, wales = knit.net.wales;
   std::vector<double> map;
+  const int half = repeat / 2;
   for (int i = 0; i < courses * wales; ++i) {
+    // At the cuffs the nearest whole repeat stands for what is not there.
+    const int middle =
+        courses > 2 * half ? std::clamp(i / wales, half, courses - 1 - half) : i / wales;
     double force = 0.0, area = 0.0;
     // An even repeat is centred by counting its outermost courses by half.
-    for (int step = -(repeat / 2); step <= repeat / 2; ++step) {
-      const int course = std::clamp(i / wales + step, 0, courses - 1);
+    for (int step = -half; step <= half; ++step) {
+      const int course = std::clamp(middle + step, 0, courses - 1);
       const double weight = repeat % 2 == 0 && 2 * std::abs(step) == repeat ? 0.5 : 1.0;
       const auto p = std::size_t(course * wales + i % wales);
       force += weight * knit.press[p], area += weight * knit.area_mm2[p];
