@@ -28,8 +28,8 @@ void add_corners(TriangleMesh& mesh, const Vector3d& place, const Vector3d& norm
 void join_corners(TriangleMesh& mesh, int ring, int next) {
   for (int s = 0; s < sides; ++s) {
     const int a = ring + s, b = ring + (s + 1) % sides, c = next + s, d = next + (s + 1) % sides;
-    mesh.triangles.push_back({a, c, b});
-    mesh.triangles.push_back({b, c, d});
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({b, d, c});
   }
 }
 

@@ -79,8 +79,9 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
   put_picture(output, "pressure.png", worn_map(body, knit, pressure, unit, view));
   put_picture(output, "transmittance.png", worn_map(body, knit, light, "", view));
   if (arguments.loops) {
-    write_mesh(output, "loops.glb",
-               loop_mesh(knit, std::min(radius, thickest_loop * median(knit.wale_mm))));
+    // Where stitches are narrowest loops come nearest to each other.
+    const double narrowest = *std::min_element(knit.wale_mm.begin(), knit.wale_mm.end());
+    write_mesh(output, "loops.glb", loop_mesh(knit, std::min(radius, thickest_loop * narrowest)));
   }
   write_mesh(output, "yarns.glb", yarn_mesh(knit, yarns, radius));
   put_text(

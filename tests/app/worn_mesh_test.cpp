@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace hada {
@@ -43,7 +46,16 @@ TEST(WornMesh, LaysLoopsThatDoNotTouch) {
 
 TEST(WornMesh, ClosesTheTubesOfLoops) {
   const TriangleMesh mesh = loop_mesh(tube(), thickest_loop);
-  EXPECT_EQ(mesh.triangles.size(), 2 * mesh.vertices_mm.size());
+  // A closed tube has every side twice, once each way, and its outside outside.
+  std::set<std::pair<int, int>> sides;
+  double volume = 0.0;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t s = 0; s < 3; ++s) EXPECT_TRUE(sides.insert({t[s], t[(s + 1) % 3]}).second);
+    const auto corner = [&](std::size_t s) { return mesh.vertices_mm[std::size_t(t[s])]; };
+    volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
+  }
+  for (const auto& [from, to] : sides) EXPECT_TRUE(sides.count({to, from}));
+  EXPECT_GT(volume, 0.0);
   for (const auto& v : mesh.vertices_mm) {
     EXPECT_GT(std::hypot(v.x(), v.z()), 0.5 / std::sin(std::numbers::pi / 100.0) - 0.01);
   }
