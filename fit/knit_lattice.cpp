@@ -197,6 +197,9 @@ Eigen::Matrix<double, fields, fields> covariance_of_peaks(const Knit<>& knit,
   sigma[0] = bins * knit.wale_mm * knit.wale_mm / extent.width();
   sigma[1] = bins * knit.course_mm * knit.course_mm / extent.height();
   sigma[2] = sigma[3] = bins * knit.course_mm / extent.width();
+  // Gradients were not looked for: they may be what moves the stitches at the border by a half.
+  sigma[4] = 4.0 * knit.wale_mm / (extent.width() * extent.width());
+  sigma[5] = 4.0 * knit.course_mm / (extent.height() * extent.height());
   return sigma.cwiseAbs2().asDiagonal();
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "core/error.h"
 #include "synth/knit_loops.h"
 
 namespace hada {
@@ -26,6 +27,8 @@ Eigen::Matrix2d whole_cycles(const Knit<>& knit, const Extent& extent) {
   // Less than half a stitch fits: one does.
   cycles(0, 0) = std::max(cycles(0, 0), 1.0);
   cycles(1, 1) = std::max(cycles(1, 1), repeat);
+  // Rounded so, courses may run along wales: on so few stitches they run along x.
+  if (std::abs(cycles.determinant()) < 0.5) cycles(0, 1) = cycles(1, 0) = 0.0;
   return cycles;
 }
 
@@ -38,6 +41,9 @@ float colour_of(const Knit<>& knit, int course, int channel) {
 }  // namespace
 
 Surface surface_of(const Knit<>& knit, const Extent& extent, Seed) {
+  if (knit.yarn_radius_mm > std::max(knit.wale_mm, knit.course_mm)) {
+    throw Error("knit: a yarn_radius_mm above wale_mm and course_mm leaves no loops to be seen");
+  }
   const Eigen::Matrix2d cycles = whole_cycles(knit, extent);
   const Eigen::Matrix2d pixels_per_stitch =
       Eigen::Vector2d(extent.cols, extent.rows).asDiagonal() * cycles.inverse();

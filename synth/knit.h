@@ -59,7 +59,7 @@ struct Knit {
   T loop_width{0.15};
   T loop_reach{0.8};
   T loop_depth_mm{0.55};
-  T stiffness_ratio{1.0};
+  T stiffness_ratio{10.0};
   T yarn_coefficient{0.2};
   std::vector<T> colour_repeat = {T{0.0}};
   std::vector<KnitYarn<T>> yarns = std::vector<KnitYarn<T>>(1);

@@ -57,6 +57,7 @@ KnitMaps seen_from_above(const std::vector<YarnPoint>& points, double radius_mm,
   });
   float lowest = std::numeric_limits<float>::max();
   for (const float z : maps.height) lowest = z == unseen ? lowest : std::min(lowest, z);
+  if (lowest == std::numeric_limits<float>::max()) lowest = 0.0f;  // no yarn anywhere
   for (float& z : maps.height) z = z == unseen ? lowest : z;
   return maps;
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "synth/knit_loops.h"
 
 namespace hada {
@@ -46,6 +47,25 @@ TEST(Knit, SeesAYarnAsItIsRound) {
   EXPECT_NEAR(maps.normals(6, 20).y(), 0.35 / 0.5, 1e-3);
   EXPECT_EQ(maps.course(4, 20), -1);
   EXPECT_EQ(maps.course(5, 20), 0);
+}
+
+TEST(Knit, ShowsYarnOnAPatchOfHardlyAStitch) {
+  Knit<> knit;
+  knit.wale_mm = 1.0, knit.course_mm = 0.9, knit.yarn_radius_mm = 0.2, knit.loop_depth_mm = 0.2;
+  knit.rotation_rad = 0.3, knit.skew_rad = -0.7;  // rounded, its courses would run along its wales
+  const Surface surface = surface_of(knit, {.rows = 21, .cols = 24, .pitch = 0.05}, 1);
+  double highest = 0.0;
+  for (const float z : surface.height) {
+    ASSERT_TRUE(std::isfinite(z));
+    highest = std::max(highest, double(z));
+  }
+  EXPECT_GT(highest, 0.05);
+}
+
+TEST(Knit, RefusesYarnThatIsWiderThanItsStitches) {
+  Knit<> knit;
+  knit.yarn_radius_mm = 1000.0;
+  EXPECT_THROW(surface_of(knit, {.rows = 64, .cols = 64, .pitch = 0.1}, 1), Error);
 }
 
 TEST(Knit, TilesAndShowsItsColours) {
