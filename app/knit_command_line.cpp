@@ -23,7 +23,7 @@ void add_pull(Commands& commands, CLI::App& knit) {
         command.add_option("--wales", a.wales, "columns of stitches (default: 10)")
             ->check(CLI::Range(3, most_stitches));
         command.add_option("--stretch", a.stretches, "length over that at rest (default: 1.5)")
-            ->check(CLI::Range(0.1, 10.0));
+            ->check(CLI::Range(1.0, 10.0));
         command.add_option("--along", a.along, "wale (default) or course")
             ->check(CLI::IsMember({"wale", "course"}));
         command.add_option("--clamp", a.clamp, "uniform (default): whole edges; or three-points")
@@ -52,8 +52,11 @@ void add_wear(Commands& commands, CLI::App& knit) {
             ->check(CLI::Range(3, most_stitches));
         command.add_option("--axis", a.axis, "along which the tube is drawn: x, y (default) or z")
             ->check(CLI::IsMember({"x", "y", "z"}));
-        command.add_option("--from", o.from_mm, "height along the axis where it begins, mm");
-        command.add_option("--to", o.to_mm, "height where it ends, mm (default: nearly all)");
+        command.add_option(
+            "--from", o.from_mm,
+            "height along the axis where it begins, mm (default: nearly at the end)");
+        command.add_option("--to", o.to_mm,
+                           "height where it ends, mm (default: nearly at the end)");
         command
             .add_option("--girth", o.girth,
                         "of the tube at rest, over the smallest of the body (default: 0.7)")
@@ -84,7 +87,7 @@ void add_wear(Commands& commands, CLI::App& knit) {
 
 void add_stiffness(Commands& commands, CLI::App& knit) {
   commands.add_to(
-      knit, "stiffness", "Find how stiff yarns are from crossings at two or more known stretches",
+      knit, "stiffness", "Find how stiff yarns are from crossings at known stretches",
       "hada knit stiffness out/pulled/crossings.json --load 2.5 -o stiffness.json",
       knit_stiffness_command, [](CLI::App& command, KnitStiffnessArguments& a) {
         command.add_option("crossings", a.crossings, "places of the crossings (JSON)")->required();

@@ -42,11 +42,9 @@ TubeSpan tube_span(const Body& body, const WearOptions& options) {
   Vector3d low = body.mesh().vertices_mm[0], high = low;
   for (const Vector3d& v : body.mesh().vertices_mm) low = low.cwiseMin(v), high = high.cwiseMax(v);
   const double bottom = low[options.axis], top = high[options.axis];
-  TubeSpan span{options.from_mm, options.to_mm, (high - low).norm()};
-  if (span.from == span.to) {
-    span.from = bottom + 0.05 * (top - bottom);
-    span.to = top - 0.05 * (top - bottom);
-  }
+  const double margin = 0.05 * (top - bottom);
+  const TubeSpan span{options.from_mm.value_or(bottom + margin),
+                      options.to_mm.value_or(top - margin), (high - low).norm()};
   if (!(span.from >= bottom && span.to <= top && span.from < span.to)) {
     throw Error(
         fmt::format("the knit must be drawn from a lower to a higher place of the body, which "

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mechanics/body.h"
 #include "mechanics/knit_net.h"
 
@@ -8,12 +10,13 @@ namespace hada {
 struct WearOptions {
   int courses = 150;
   int wales = 150;
-  int axis = 1;          // x, y or z: along which the tube is drawn
-  double from_mm = 0.0;  // heights along the axis between which it is drawn; equal: over
-  double to_mm = 0.0;    // the whole body but a twentieth at each end
-  double girth = 0.7;    // of the tube at rest, over the smallest one of the body there
-  double length = 0.6;   // of the tube at rest, over the way between the heights
-  double ratio = 10.0;   // k of support yarn over that of nylon
+  int axis = 1;  // x, y or z: along which the tube is drawn
+  // Heights along the axis between which it is drawn; absent: a twentieth of the body from its end.
+  std::optional<double> from_mm = {};
+  std::optional<double> to_mm = {};
+  double girth = 0.7;   // of the tube at rest, over the smallest one of the body there
+  double length = 0.6;  // of the tube at rest, over the way between the heights
+  double ratio = 10.0;  // k of support yarn over that of nylon
   double continuity = 0.2;
   std::vector<int> repeat = {0, 1};  // of the courses: 0 nylon, 1 support
   double friction = 0.0;             // see `worn`

@@ -27,6 +27,15 @@ TEST(DrawnOver, LaysEvenRingsAroundTheLeg) {
   EXPECT_LT(smallest_girth(places, options), 1.1 * shape.ankle_mm);
 }
 
+TEST(DrawnOver, KnowsEachEndByItself) {
+  const Body leg(leg_mesh());
+  const auto above = tube_span(leg, {.from_mm = 100.0}), below = tube_span(leg, {.to_mm = 500.0});
+  EXPECT_EQ(above.from, 100.0);
+  EXPECT_NEAR(above.to, 665.0, 1e-9);
+  EXPECT_NEAR(below.from, 35.0, 1e-9);
+  EXPECT_EQ(below.to, 500.0);
+}
+
 TEST(DrawnOver, RefusesHeightsThatTheBodyDoesNotHave) {
   const Body leg(leg_mesh());
   EXPECT_THROW(tube_span(leg, {.from_mm = -5.0, .to_mm = 100.0}), Error);
