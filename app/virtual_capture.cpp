@@ -31,8 +31,8 @@ CaptureFile manifest(const std::filesystem::path& folder, std::size_t pictures, 
   return file;
 }
 
-// A sheet is cut from a larger one. A field that tiles is one period, in which the longest waves come
-// out stronger or weaker than their law says, by luck that a fit cannot see.
+// A sheet is cut from a larger one. A field that tiles is one period, in which the longest waves
+// come out stronger or weaker than their law says, by luck that a fit cannot see.
 Surface sheet_of(const Recipe& recipe) {
   if (std::holds_alternative<Wrinkle<>>(recipe.material)) {
     return synthesize_window(recipe.material, recipe.sheet, {0.0, 0.0}, recipe.sheet_seed);

@@ -22,15 +22,15 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
   std::optional<Surface> face;
   if (!arguments.face.empty()) face = read_surface(arguments.face, arguments.pitch_mm);
   terminal.step("fitting " + arguments.material);
-  const MaterialFile file = fit_material(arguments.material, surface, last_name(arguments.input),
-                                         {.components = arguments.components,
-                                          .lens_blur_px = arguments.lens_blur_px,
-                                          .view = arguments.view,
-                                          .face = face ? &*face : nullptr,
-                                          .progress = [&](const std::string& stage) {
-                                            terminal.step("fitting " + arguments.material + ": " +
-                                                          stage);
-                                          }});
+  const MaterialFile file =
+      fit_material(arguments.material, surface, last_name(arguments.input),
+                   {.components = arguments.components,
+                    .lens_blur_px = arguments.lens_blur_px,
+                    .view = arguments.view,
+                    .face = face ? &*face : nullptr,
+                    .progress = [&](const std::string& stage) {
+                      terminal.step("fitting " + arguments.material + ": " + stage);
+                    }});
   const std::string text = material_text(file);
   write_text(arguments.out, text);
   for (const auto& line : told(file)) terminal.say(line);

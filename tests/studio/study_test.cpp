@@ -1,8 +1,8 @@
-#include "bench/studio_study.h"
-
 #include <cstdio>
 
 #include <gtest/gtest.h>
+
+#include "bench/studio_study.h"
 
 namespace hada {
 namespace {
