@@ -1,7 +1,9 @@
 #include "fit/ring_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,10 +34,19 @@ TEST(RingLines, AreCirclesOnAnEndGrain) {
     EXPECT_NEAR(station.sigma, 0.1, 1e-9);
   }
   EXPECT_EQ(seen.size(), 3u);
-  // All the way round the smallest, a station every four pixels at least.
-  EXPECT_GT(std::count_if(stations.begin(), stations.end(),
-                          [](const RingStation& s) { return s.ring == 0; }),
-            int(2.0 * M_PI * 3.0 / 0.4));
+  // All the way round the smallest: a ring is looked for along the axis nearer its normal, so that
+  // stations lie a step of 0.4 mm apart, on the diagonal 1.42 of it, and twice that where the axis
+  // changes.
+  std::vector<double> turns;
+  for (const RingStation& station : stations) {
+    const Eigen::Vector2d arm = station.place - solid.frame.pith;
+    if (station.ring == 0) turns.push_back(std::atan2(arm.y(), arm.x()));
+  }
+  std::sort(turns.begin(), turns.end());
+  turns.push_back(turns.front() + 2.0 * M_PI);
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    EXPECT_LT(turns[i] - turns[i - 1], 2.0 * std::sqrt(2.0) * 0.4 / 3.0);
+  }
 }
 
 TEST(RingLines, AreStraightOnAFaceAlongTheStem) {
