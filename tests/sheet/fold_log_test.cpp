@@ -8,20 +8,13 @@
 
 #include "core/error.h"
 #include "sheet/crossing.h"
+#include "tests/sheet/fold_steps.h"
 
 namespace hada {
 namespace {
 
 using Eigen::Vector2d;
 using testing::HasSubstr;
-
-FoldStep through(const Vector2d& from, const Vector2d& to) {
-  FoldStep step;
-  step.action = FoldAction::through;
-  step.from = from;
-  step.to = to;
-  return step;
-}
 
 FoldStep flat_fold(const Vector2d& from, const Vector2d& to) {
   FoldStep step;

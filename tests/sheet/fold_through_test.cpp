@@ -6,19 +6,12 @@
 
 #include "core/error.h"
 #include "sheet/folded_flat.h"
+#include "tests/sheet/fold_steps.h"
 
 namespace hada {
 namespace {
 
 using Eigen::Vector2d;
-
-FoldStep through(const Vector2d& from, const Vector2d& to) {
-  FoldStep step;
-  step.action = FoldAction::through;
-  step.from = from;
-  step.to = to;
-  return step;
-}
 
 FoldState half_folded() {
   FoldLog log;

@@ -6,20 +6,12 @@
 
 #include "sheet/fold_log.h"
 #include "sheet/folded_flat.h"
+#include "tests/sheet/fold_steps.h"
 
 namespace hada {
 namespace {
 
 using Eigen::Vector2d;
-
-FoldStep line(FoldAction action, const Vector2d& from, const Vector2d& to, double degrees = 180.0) {
-  FoldStep step;
-  step.action = action;
-  step.from = from;
-  step.to = to;
-  step.degrees = degrees;
-  return step;
-}
 
 TEST(KeptOrder, OfTurnedFlapsIsThatOfPaper) {
   // The left third over, then the right one over it: three layers, each turn lands on top.
