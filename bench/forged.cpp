@@ -33,9 +33,10 @@ int main(int count, char** words) {
       if (grain.seed != 0) continue;
       const auto rings = hada::grain_rings(grain.sequence, seeds);
       std::printf(
-          "%s: %d of %d rings within 2 sigma of the closed form, %d within 3; worst ratio %.4f\n",
-          rings.sequence.c_str(), rings.within_two_sigma, rings.rings, rings.within_three_sigma,
-          rings.worst_ratio);
+          "%s: %d of %d rings within 2 sigma of the closed form, %d within %.2f; sigma %.4f, worst "
+          "ratio %.4f\n",
+          rings.sequence.c_str(), rings.within_two_sigma, rings.rings, rings.within_sampling,
+          hada::ring_sampling_sigmas, rings.sigma_median, rings.worst_ratio);
       std::fflush(stdout);
     }
   }

@@ -105,6 +105,51 @@ bool same_counts(const std::string& a, const std::string& b) {
          std::count(a.begin(), a.end(), 'C') == std::count(b.begin(), b.end(), 'C');
 }
 
+/// Places from the rim of a block inwards where it is felt, that nothing lies beyond it.
+int rim(const std::string& sequence, char cut) {
+  int places = 0;
+  for (const char fold : sequence) places = (fold == cut ? 2 * places : places) + 1;
+  return places;
+}
+
+/// Places after which the statistics of a block repeat.
+int period(const std::string& sequence, char cut) {
+  return 1 << std::count(sequence.begin(), sequence.end(), cut);
+}
+
+/// The bits of `k` behind the point, the lowest first: van der Corput's even sequence in [0, 1).
+double radical_inverse(int k) {
+  double value = 0.0;
+  for (double bit = 0.5; k > 0; k /= 2, bit /= 2.0) value += (k % 2) * bit;
+  return value;
+}
+
+constexpr std::size_t ring_count = 32;
+
+struct RingSums {
+  std::vector<double> ordinates = std::vector<double>(ring_count, 0.0);
+  std::vector<double> measured = ordinates;
+  std::vector<double> expected = ordinates;  // of grain of variance 1
+};
+
+RingSums ring_sums(const GrainSpectrum& spectrum, const GrainModel& model) {
+  constexpr double widest = 0.5;  // cycles per px
+  RingSums sums;
+  for (int r = 0; r < spectrum.y.cells(); ++r) {
+    for (int c = 0; c < spectrum.x.cells(); ++c) {
+      const double fx = double(spectrum.x.edges[std::size_t(c)]) / spectrum.x.length;
+      const double fy = double(spectrum.y.edges[std::size_t(r)]) / spectrum.y.length;
+      const auto ring = std::size_t(std::hypot(fx, fy) / widest * ring_count);
+      if (ring >= ring_count) continue;
+      const double count = spectrum.count(r, c);
+      sums.ordinates[ring] += count;
+      sums.measured[ring] += count * spectrum.power(r, c);
+      sums.expected[ring] += count * model.along[std::size_t(c)] * model.down[std::size_t(r)];
+    }
+  }
+  return sums;
+}
+
 }  // namespace
 
 std::vector<PaperGrain> paper_grains() {
@@ -149,45 +194,43 @@ ForgedStudy study_forged(const ForgedStudyOptions& options) {
 }
 
 GrainRings grain_rings(const std::string& sequence, int seeds) {
-  constexpr int rows = 512, cols = 1024, rings = 32;
-  constexpr double widest = 0.5;      // cycles per px
+  constexpr int rows = 512, cols = 1024;
   constexpr double faintest = 1e-11;  // of the variance: floats round heights to 1e-15 of it
-  std::vector<bool> visible(rings, false);
-  std::vector<double> sums(rings, 0.0), squares(rings, 0.0);
+  const int rim_x = rim(sequence, 'C'), rim_y = rim(sequence, 'R');
+  const int period_x = period(sequence, 'C'), period_y = period(sequence, 'R');
+  const BlockSize size =
+      divisible({rows + 2 * rim_y + period_y, cols + 2 * rim_x + period_x}, sequence);
+  std::vector<std::vector<double>> ratios(ring_count);
   for (int seed = 0; seed < seeds; ++seed) {
-    const auto block = forged_block({.sequence = sequence}, {1024, 16384}, Seed(seed));
-    const auto spectrum = grain_spectrum(crop(block, 256, 7000, rows, cols), {.taper = 1.0});
+    const auto block = forged_block({.sequence = sequence}, size, Seed(seed));
+    const int row = rim_y + int(period_y * radical_inverse(seed));
+    const int col = rim_x + int(period_x * (seed + 0.5) / seeds);
+    const auto spectrum = grain_spectrum(crop(block, row, col, rows, cols), {.taper = 1.0});
     const auto model = grain_model(sequence, HammerKernel::both, spectrum);
-    std::vector<double> measured(rings, 0.0), expected(rings, 0.0), counts(rings, 0.0);
-    for (int r = 0; r < spectrum.y.cells(); ++r) {
-      for (int c = 0; c < spectrum.x.cells(); ++c) {
-        const double fx = double(spectrum.x.edges[std::size_t(c)]) / cols;
-        const double fy = double(spectrum.y.edges[std::size_t(r)]) / rows;
-        const int ring = int(std::hypot(fx, fy) / widest * rings);
-        if (ring >= rings) continue;
-        counts[std::size_t(ring)] += spectrum.count(r, c);
-        measured[std::size_t(ring)] += spectrum.count(r, c) * spectrum.power(r, c);
-        expected[std::size_t(ring)] += spectrum.count(r, c) * model.variance *
-                                       model.along[std::size_t(c)] * model.down[std::size_t(r)];
-      }
-    }
-    for (std::size_t k = 0; k < rings; ++k) {
-      visible[k] = visible[k] || expected[k] > faintest * model.variance * counts[k];
-      const double ratio = expected[k] > 0.0 ? measured[k] / expected[k] : 1.0;
-      sums[k] += ratio;
-      squares[k] += ratio * ratio;
+    const RingSums sums = ring_sums(spectrum, model);
+    for (std::size_t k = 0; k < ring_count; ++k) {
+      if (sums.expected[k] > faintest * sums.ordinates[k])
+        ratios[k].push_back(sums.measured[k] / (model.variance * sums.expected[k]));
     }
   }
   GrainRings result{sequence};
-  for (std::size_t k = 0; k < rings; ++k) {
-    if (!visible[k]) continue;
-    const double mean = sums[k] / seeds;
-    const double sigma = std::sqrt(std::max(squares[k] / seeds - mean * mean, 0.0) / (seeds - 1.0));
+  std::vector<double> sigmas;
+  for (const auto& ratio : ratios) {
+    if (ratio.empty()) continue;
+    const auto n = double(ratio.size());
+    double sum = 0.0, differences = 0.0;
+    for (std::size_t k = 0; k < ratio.size(); ++k) {
+      sum += ratio[k];
+      if (k > 0) differences += (ratio[k] - ratio[k - 1]) * (ratio[k] - ratio[k - 1]);
+    }
+    const double off = sum / n - 1.0;
+    sigmas.push_back(std::sqrt(differences / (2.0 * (n - 1.0) * n)));
     ++result.rings;
-    result.within_two_sigma += std::abs(mean - 1.0) <= 2.0 * sigma + 1e-3;
-    result.within_three_sigma += std::abs(mean - 1.0) <= 3.0 * sigma + 1e-3;
-    if (std::abs(mean - 1.0) > std::abs(result.worst_ratio - 1.0)) result.worst_ratio = mean;
+    result.within_two_sigma += std::abs(off) <= 2.0 * sigmas.back();
+    result.within_sampling += std::abs(off) <= ring_sampling_sigmas * sigmas.back();
+    if (std::abs(off) > std::abs(result.worst_ratio - 1.0)) result.worst_ratio = 1.0 + off;
   }
+  result.sigma_median = median(sigmas);
   return result;
 }
 

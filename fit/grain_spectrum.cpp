@@ -123,10 +123,13 @@ std::vector<double> seen_through(const GrainAxis& axis, const std::vector<double
 std::vector<double> cell_means(const GrainAxis& axis, const std::vector<double>& at) {
   std::vector<double> means;
   for (int c = 0; c < axis.cells(); ++c) {
-    double sum = 0.0;
-    const int begin = axis.edges[std::size_t(c)], end = axis.edges[std::size_t(c + 1)];
-    for (int k = begin; k < end; ++k) sum += at[std::size_t(k)];
-    means.push_back(sum / (end - begin));
+    double sum = 0.0, count = 0.0;
+    for (int k = axis.edges[std::size_t(c)]; k < axis.edges[std::size_t(c + 1)]; ++k) {
+      const double ordinates = k == 0 || 2 * k == axis.length ? 0.5 : 1.0;
+      sum += ordinates * at[std::size_t(k)];
+      count += ordinates;
+    }
+    means.push_back(sum / count);
   }
   return means;
 }

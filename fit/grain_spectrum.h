@@ -45,6 +45,9 @@ GrainSpectrum grain_spectrum(const Grid<float>& scores, const GrainSpectrumOptio
 std::vector<double> seen_through(const GrainAxis& axis, const std::vector<double>& density);
 
 /// Means over the cells of an axis of what is known at each of its frequencies.
+///
+/// Frequency 0 and the Nyquist one count half, as in the periodogram: all others are there twice,
+/// positive and negative.
 std::vector<double> cell_means(const GrainAxis& axis, const std::vector<double>& at);
 
 }  // namespace hada

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fft.h"
 #include "core/random.h"
 
 namespace hada {
@@ -32,6 +33,32 @@ TEST(GrainSpectrum, SeesAFlatDensityAsItIs) {
   for (const double seen : seen_through(spectrum.x, flat)) EXPECT_NEAR(seen, 3.0, 1e-6);
   const std::vector<double> same(33, 2.0);
   for (const double mean : cell_means(spectrum.x, same)) EXPECT_NEAR(mean, 2.0, 1e-12);
+}
+
+/// Powers of the transform of a line, at the frequencies 0 to the Nyquist one.
+std::vector<double> powers(const Grid<double>& line) {
+  std::vector<double> at;
+  for (const auto& value : fft(line)) at.push_back(std::norm(value));
+  return at;
+}
+
+TEST(GrainSpectrum, OfAProductIsTheProductOfTheMeansOverTheCells) {
+  // White lines: all frequencies, the Nyquist one too, have a power of their own.
+  Grid<double> along(1, 96), down(1, 64);
+  for (int k = 0; k < 96; ++k) along(0, k) = gaussian(6, k);
+  for (int k = 0; k < 64; ++k) down(0, k) = gaussian(7, k);
+  Grid<float> product(64, 96);
+  for (int row = 0; row < 64; ++row) {
+    for (int col = 0; col < 96; ++col) product(row, col) = float(down(0, row) * along(0, col));
+  }
+  const auto spectrum = grain_spectrum(product, {.taper = 0.0, .growth = 0.3});
+  const auto x = cell_means(spectrum.x, powers(along)), y = cell_means(spectrum.y, powers(down));
+  for (int r = 2; r < spectrum.y.cells(); ++r) {
+    for (int c = 2; c < spectrum.x.cells(); ++c) {
+      const double mean = x[std::size_t(c)] * y[std::size_t(r)] / (64.0 * 96.0);
+      EXPECT_NEAR(spectrum.power(r, c), mean, 1e-5 * mean + 1e-9) << r << " " << c;
+    }
+  }
 }
 
 }  // namespace
