@@ -99,19 +99,35 @@ struct Weights {
   bool hinges = true;
 };
 
-class Descent {
+}  // namespace
+
+double hinge_angle(const Hinge& hinge, const Places& places) {
+  const Vector3d& a = at(places, hinge.from);
+  const Vector3d along = (at(places, hinge.to) - a).normalized();
+  const Vector3d left = along.cross(at(places, hinge.left) - a);
+  const Vector3d right = (at(places, hinge.right) - a).cross(along);
+  return std::atan2(right.cross(left).dot(along), left.dot(right));
+}
+
+class Relaxation::Descent {
  public:
-  Descent(const BarNetwork& network, Places start, double size, bool hinges)
-      : network_(network), places_(std::move(start)), size_(size) {
-    for (const Hinge& hinge : network.hinges) angles_.push_back(hinge_angle(hinge, places_));
+  explicit Descent(BarNetwork network) : network_(std::move(network)) {}
+
+  const BarNetwork& network() const { return network_; }
+
+  void begin(Places start, double size, bool hinges) {
+    places_ = std::move(start);
+    size_ = size;
+    angles_.clear();
+    for (const Hinge& hinge : network_.hinges) angles_.push_back(hinge_angle(hinge, places_));
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       // A fold that lies flat on itself belongs to the side that it should be on.
       const bool shut = std::abs(angles_[i]) > 0.999 * std::numbers::pi;
-      if (shut && angles_[i] * network.hinges[i].angle < 0.0) {
+      if (shut && angles_[i] * network_.hinges[i].angle < 0.0) {
         angles_[i] -= std::copysign(2.0 * std::numbers::pi, angles_[i]);
       }
     }
-    lay_pattern(hinges);
+    if (matrix_.rows() == 0) lay_pattern(hinges);
   }
 
   // returns  the number of steps
@@ -245,9 +261,9 @@ class Descent {
     }
   }
 
-  const BarNetwork& network_;
+  BarNetwork network_;
   Places places_;
-  double size_;
+  double size_ = 0.0;
   std::vector<double> angles_;  // of the hinges, followed over half turns
   std::vector<bool> free_;      // of the coordinates
   std::vector<Term> terms_;
@@ -257,49 +273,51 @@ class Descent {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver_;
 };
 
-}  // namespace
+Relaxation::Relaxation(BarNetwork network, const RelaxOptions& options)
+    : descent_(std::make_unique<Descent>(std::move(network))), options_(options) {}
+Relaxation::Relaxation(Relaxation&&) noexcept = default;
+Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
+Relaxation::~Relaxation() = default;
 
-double hinge_angle(const Hinge& hinge, const Places& places) {
-  const Vector3d& a = at(places, hinge.from);
-  const Vector3d along = (at(places, hinge.to) - a).normalized();
-  const Vector3d left = along.cross(at(places, hinge.left) - a);
-  const Vector3d right = (at(places, hinge.right) - a).cross(along);
-  return std::atan2(right.cross(left).dot(along), left.dot(right));
-}
-
-Relaxed relax(const BarNetwork& network, Places start, const RelaxOptions& options) {
+Relaxed Relaxation::from(Places start) {
+  const BarNetwork& network = descent_->network();
   double size = 0.0, stiffest = 0.0, softest = 1e300;
   for (const Bar& bar : network.bars) {
     size = std::max(size, bar.length);
     softest = std::min(softest, bar.stiffness);
   }
   for (const Hinge& hinge : network.hinges) stiffest = std::max(stiffest, hinge.stiffness);
-  Descent descent(network, std::move(start), size, stiffest > 0.0 || !options.rigid);
+  descent_->begin(std::move(start), size, stiffest > 0.0 || !options_.rigid);
   Relaxed result;
-  if (options.rigid) {
+  if (options_.rigid) {
     // All at once would make a valley too narrow and bent to follow.
     const double hinges = std::sqrt(std::max(stiffest, 1e-300)) / size;
     for (const double stiffer : {30.0, 1e3, 1e4}) {  // of the residuals; energies go by the square
       if (stiffest <= 0.0) break;
       const Weights weights{stiffer * hinges / std::sqrt(softest), stiffer * hinges, true};
-      result.steps += descent.run(weights, options.most_steps, options.tolerance);
+      result.steps += descent_->run(weights, options_.most_steps, options_.tolerance);
     }
     // The descent converges by squares: after a step of 1e-9 what is left is rounding.
-    result.steps += descent.run({1.0 / std::sqrt(softest), 1.0, false}, options.most_steps, 1e-9);
+    result.steps +=
+        descent_->run({1.0 / std::sqrt(softest), 1.0, false}, options_.most_steps, 1e-9);
   } else {
     const double planes = 1e3 * std::sqrt(softest);
-    result.steps = descent.run({1.0, planes, true}, options.most_steps, options.tolerance);
+    result.steps = descent_->run({1.0, planes, true}, options_.most_steps, options_.tolerance);
   }
   for (const Bar& bar : network.bars) {
-    const Term term = bar_term(bar, 1.0, descent.places());
+    const Term term = bar_term(bar, 1.0, descent_->places());
     result.strain = std::max(result.strain, std::abs(term.residual) / bar.length);
   }
   for (const auto& plane : network.planes) {
-    const Term term = plane_term(plane, 1.0, descent.places());
+    const Term term = plane_term(plane, 1.0, descent_->places());
     result.planarity = std::max(result.planarity, std::abs(term.residual) / size);
   }
-  result.places = descent.take();
+  result.places = descent_->take();
   return result;
+}
+
+Relaxed relax(const BarNetwork& network, Places start, const RelaxOptions& options) {
+  return Relaxation(network, options).from(std::move(start));
 }
 
 }  // namespace hada

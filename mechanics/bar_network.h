@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -60,12 +61,29 @@ struct Relaxed {
   int steps = 0;
 };
 
-/// The points at rest, reached from `start`: the least energy, by Levenberg and Marquardt's descent
-/// with a sparse factorisation.
+/// The search for the points at rest: the least energy, by Levenberg and Marquardt's descent with a
+/// sparse factorisation. What depends on the network alone is worked out once, at the first search.
 ///
 /// Rigid: bars are made stiffer than hinges step by step until they hardly change, and what is left
 /// is taken off by a descent of bars and planes alone, which moves the points as little as
 /// possible.
+class Relaxation {
+ public:
+  explicit Relaxation(BarNetwork network, const RelaxOptions& options = {});
+  Relaxation(Relaxation&&) noexcept;
+  Relaxation& operator=(Relaxation&&) noexcept;
+  ~Relaxation();
+
+  /// The points at rest, reached from `start`.
+  Relaxed from(std::vector<Eigen::Vector3d> start);
+
+ private:
+  class Descent;
+  std::unique_ptr<Descent> descent_;
+  RelaxOptions options_;
+};
+
+/// One such search.
 Relaxed relax(const BarNetwork& network, std::vector<Eigen::Vector3d> start,
               const RelaxOptions& options = {});
 

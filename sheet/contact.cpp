@@ -118,9 +118,8 @@ void ContactWatch::accept(const Places& places) {
   accepted_ = places;
 }
 
-Reached turn_faces(Sheet& sheet, const std::vector<FaceOrder>& order,
-                   const std::vector<bool>& moving, const Vector3d& from, const Vector3d& along,
-                   double angle) {
+Reached turn_faces(Sheet& sheet, ContactWatch& watch, const std::vector<bool>& moving,
+                   const Vector3d& from, const Vector3d& along, double angle) {
   std::vector<bool> moves(sheet.folded.size(), false);
   for (int f = 0; f < sheet.faces(); ++f) {
     if (!moving[std::size_t(f)]) continue;
@@ -138,7 +137,6 @@ Reached turn_faces(Sheet& sheet, const std::vector<FaceOrder>& order,
     return places;
   };
   Reached reached;
-  ContactWatch watch(sheet, order, moving, 1e-6 * size_of(sheet.flat));
   const int stages = std::max(1, int(std::ceil(std::abs(angle) / stage)));
   for (int k = 1; k <= stages && !reached.met; ++k) {
     const Places places = places_at(double(k) / stages);
@@ -157,7 +155,15 @@ Reached turn_faces(Sheet& sheet, const std::vector<FaceOrder>& order,
   sheet.folded = places_at(reached.share);
   const double back = std::abs(angle) > 0.0 ? std::min(shortly / std::abs(angle), 0.5) : 0.0;
   reached.shortly_before = places_at(reached.share * (1.0 - back));
+  watch.accept(sheet.folded);
   return reached;
+}
+
+Reached turn_faces(Sheet& sheet, const std::vector<FaceOrder>& order,
+                   const std::vector<bool>& moving, const Vector3d& from, const Vector3d& along,
+                   double angle) {
+  ContactWatch watch(sheet, order, moving, 1e-6 * size_of(sheet.flat));
+  return turn_faces(sheet, watch, moving, from, along, angle);
 }
 
 }  // namespace hada

@@ -53,7 +53,13 @@ struct Reached {
 
 /// Turns faces of a sheet about an axis, until the angle is reached or they meet one that stays.
 ///
-/// along  unit length; positive angles turn about it by the right hand
+/// moving  all others stay
+/// watch   that has seen them where they are, and goes with them
+/// along   unit length; positive angles turn about it by the right hand
+Reached turn_faces(Sheet& sheet, ContactWatch& watch, const std::vector<bool>& moving,
+                   const Eigen::Vector3d& from, const Eigen::Vector3d& along, double angle);
+
+/// The same with a watch of its own.
 Reached turn_faces(Sheet& sheet, const std::vector<FaceOrder>& order,
                    const std::vector<bool>& moving, const Eigen::Vector3d& from,
                    const Eigen::Vector3d& along, double angle);

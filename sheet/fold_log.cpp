@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -11,12 +10,12 @@
 #include "sheet/crease.h"
 #include "sheet/fold_through.h"
 #include "sheet/folded_flat.h"
+#include "sheet/held_swing.h"
 #include "sheet/kept_order.h"
 #include "sheet/places.h"
 #include "sheet/pointer.h"
 #include "sheet/relaxed.h"
 #include "sheet/simulate.h"
-#include "sheet/swing.h"
 #include "sheet/turn_layers.h"
 
 namespace hada {
@@ -70,41 +69,27 @@ void score(FoldState& state, const FoldStep& step, const std::string& where) {
 }
 
 void swing_face(FoldState& state, const FoldStep& step, const std::string& where) {
-  Swing swing;
-  swing.face = faces_at(state.sheet, {step.from}, where)[0];
-  double nearest = 1e300;
-  for (const int h : state.sheet.halves_of(swing.face)) {
-    const double off = distance_to(state.sheet, h / 2, step.to);
-    if (off >= nearest) continue;
-    nearest = off;
-    swing.axis = h / 2;
+  HeldSwing held(std::move(state), step, false, where);
+  held.further(step.degrees);
+  if (held.stuck()) {
+    throw Error(where + ": the paper would stretch; what the face hangs on cannot follow so far");
   }
-  swing.angle = step.degrees * std::numbers::pi / 180.0;
-  swing.all = step.layers == 0;
-  swing.with = faces_at(state.sheet, step.faces, where);
-  swing.pinned = faces_at(state.sheet, step.pins, where);
-  if (step.hasty) {
-    swing.most_steps = 2;
-    swing.strain = 1e-3;
-  }
-  Swung result = swung(std::move(state.sheet), swing, state.order, where);
-  state.sheet = std::move(result.sheet);
-  if (result.met) {
-    const double degrees = result.angle * 180.0 / std::numbers::pi;
-    state.contact = {(*result.met)[0], (*result.met)[1], degrees};
-  }
-  settle_moved(state, result.shortly_before);
+  state = held.state();
 }
 
 }  // namespace
 
+FoldState with_lines_drawn(FoldState state, const std::string& where) {
+  if (state.waiting.empty()) return state;
+  draw(state.sheet, state.waiting, where);
+  state.waiting.clear();
+  state.order.clear();  // opened, no face lies on another
+  return state;
+}
+
 FoldState folded_on(FoldState state, const FoldStep& step, const std::string& where) {
   const bool draws = step.action == FoldAction::crease || step.action == FoldAction::fold;
-  if (!draws && !state.waiting.empty()) {
-    draw(state.sheet, state.waiting, where);
-    state.waiting.clear();
-    state.order.clear();  // opened, no face lies on another
-  }
+  if (!draws) state = with_lines_drawn(std::move(state), where);
   state.contact.reset();
   switch (step.action) {
     case FoldAction::crease:

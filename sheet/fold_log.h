@@ -54,8 +54,7 @@ struct FoldStep {
            // crease these faces alone, with `swing` the flaps that hold them turn
            // too; of `swing` none: all that lie on each other
   std::vector<Eigen::Vector2d> pins = {};  // places of faces that `swing` leaves where they are
-  bool hasty = false;  // of `swing`, while a hand moves: strains up to 1e-3 will do; not in files
-  std::string note;    // what a person would say of it
+  std::string note = {};                   // what a person would say of it
 };
 
 /// A square sheet and all that was done to it. Undo is a replay without the last step.
@@ -86,6 +85,10 @@ struct FoldState {
   std::optional<FoldContact> contact = {};  // of the step that led here
   std::vector<DrawnLine> waiting;  // drawn, and put on the sheet with the next step that moves it
 };
+
+/// The sheet with the lines put on it that wait for the others.
+/// throws  Error with `where` if they leave no sheet
+FoldState with_lines_drawn(FoldState state, const std::string& where);
 
 /// The state that a step leads to.
 ///

@@ -142,21 +142,13 @@ void drag(FoldSession& session, const Ray& ray, double whole_deg) {
     session.dragged = folded_on(session.state(), grip.step, "drag");
     return;
   }
-  // On from where it is: linked faces follow a small turn in a few steps.
-  const double before = session.dragged ? grip.step.degrees : 0.0;
-  FoldStep further = grip.step;
-  further.hasty = true;
-  further.degrees = degrees - before;
-  try {
-    session.dragged =
-        folded_on(session.dragged ? *session.dragged : session.state(), further, "drag");
-    // A turn ends where faces meet.
-    const auto& met = session.dragged->contact;
-    grip.step.degrees = met ? before + met->degrees : degrees;
-  } catch (const Error&) {
-    // As far as paper goes without stretching, and no further.
-    if (!session.dragged) grip.step.degrees = 0.0;
+  // On from where it is: linked faces follow a small turn in a few steps, as far as paper goes.
+  if (!grip.swing) {
+    grip.swing.emplace(with_lines_drawn(session.state(), "drag"), grip.step, true, "drag");
   }
+  grip.swing->further(degrees - grip.swing->degrees());
+  grip.step.degrees = grip.swing->degrees();
+  session.dragged = grip.swing->state();
 }
 
 void toggle(const FoldSession& session, std::vector<Vector2d>& places, const Ray& ray) {

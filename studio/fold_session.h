@@ -6,6 +6,7 @@
 
 #include "sheet/aim.h"
 #include "sheet/fold_log.h"
+#include "sheet/held_swing.h"
 #include "sheet/stack.h"
 
 namespace hada {
@@ -19,6 +20,7 @@ struct Grip {
   Eigen::Vector3d click;                // where the face was taken
   Eigen::Vector3d centre;               // of the face
   int face = -1;
+  std::optional<HeldSwing> swing = {};  // once it is dragged about a crease
 };
 
 /// A sheet that is being folded: a log, its states, and how many of its steps are in force.
