@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/quantile.h"
 #include "fit/growth_local.h"
 
 namespace hada {
@@ -25,6 +26,13 @@ void GrowthSolid::set_state(const Eigen::VectorXd& state) {
   for (std::size_t n = 0; n < ripples.heights.size(); ++n)
     ripples.heights[n] = state[ripples_at() + Eigen::Index(n)];
   for (std::size_t k = 0; k < radii.size(); ++k) radii[k] = state[radii_at() + Eigen::Index(k)];
+}
+
+double usual_width(const GrowthSolid& solid) {
+  std::vector<double> widths;
+  for (std::size_t k = 1; k < solid.radii.size(); ++k)
+    widths.push_back(solid.radii[k] - solid.radii[k - 1]);
+  return widths.empty() ? HUGE_VAL : median(std::move(widths));
 }
 
 SolidLocal local_of(const GrowthSolid& solid, const StemVector& place, bool with_slopes) {

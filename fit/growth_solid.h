@@ -34,6 +34,9 @@ struct GrowthSolid {
   Eigen::Index size() const { return radii_at() + Eigen::Index(radii.size()); }
 };
 
+/// Median distance of rings that follow each other; infinite if there are fewer than two.
+double usual_width(const GrowthSolid& solid);
+
 /// What the solid says of one place.
 struct SolidLocal {
   double rho = 0.0;

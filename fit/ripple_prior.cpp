@@ -6,12 +6,13 @@
 
 #include <Eigen/Cholesky>
 
-#include "core/quantile.h"
-
 namespace hada {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+/// Spectral density at frequency 0 of Matern's covariance of order 3/2 in space, unit lengths.
+const double matern = 32.0 * pi / std::sqrt(27.0);
 
 /// Frequencies of a wave along x, y and z, radians for each unit of length.
 Eigen::Vector3d frequency_of(const Ripples& ripples, std::size_t n) {
@@ -50,7 +51,7 @@ struct Climbed {
 Climbed climbed(const GrowthSolid& solid, const SolidEquations& equations, const RipplePrior& from,
                 double highest) {
   constexpr int rounds = 12;
-  constexpr double factor = 1.5, shortest = 0.05, longest = 0.25;  // of the longest side
+  constexpr double factor = 1.5, shortest = 0.05, longest = 1.0;  // of the longest side
   const auto& sides = solid.ripples.box().sides;
   const double side = *std::max_element(sides.begin(), sides.end());
   Climbed best{from};
@@ -99,13 +100,13 @@ Ripples ripples_in(const Ripples::Box& box, int count) {
 
 std::vector<double> wave_sigma(const Ripples& ripples, const RipplePrior& prior) {
   const double lengths = prior.across * prior.across * prior.along;
-  const double density = prior.height * prior.height * std::pow(2.0 * pi, 1.5) * lengths;
+  const double density = prior.height * prior.height * matern * lengths;
   std::vector<double> sigma;
   for (std::size_t n = 0; n < ripples.orders().size(); ++n) {
     const Eigen::Vector3d frequency = frequency_of(ripples, n);
     const double across = prior.across * prior.across * frequency.head<2>().squaredNorm();
     const double along = prior.along * prior.along * frequency[2] * frequency[2];
-    double variance = density * std::exp(-0.5 * (across + along));
+    double variance = density * std::pow(1.0 + (across + along) / 3.0, -3.0);
     for (std::size_t axis = 0; axis < 3; ++axis)
       variance *= (ripples.orders()[n][axis] > 0 ? 2.0 : 1.0) / ripples.box().sides[axis];
     sigma.push_back(std::max(std::sqrt(variance), 1e-6 * prior.height));
@@ -116,10 +117,7 @@ std::vector<double> wave_sigma(const Ripples& ripples, const RipplePrior& prior)
 RipplePrior likely_ripples(const GrowthSolid& solid, const SolidEquations& equations,
                            const std::vector<RipplePrior>& starts) {
   // Rings that wander further than a third of their distance could not be told apart.
-  std::vector<double> widths;
-  for (std::size_t k = 1; k < solid.radii.size(); ++k)
-    widths.push_back(solid.radii[k] - solid.radii[k - 1]);
-  const double highest = widths.empty() ? HUGE_VAL : median(widths) / 3.0;
+  const double highest = usual_width(solid) / 3.0;
   Climbed best;
   for (const RipplePrior& start : starts) {
     const Climbed one = climbed(solid, equations, start, highest);

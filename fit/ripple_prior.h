@@ -17,10 +17,11 @@ struct RipplePrior {
 /// The waves that a process in `box` is made of, long ones first.
 Ripples ripples_in(const Ripples::Box& box, int count);
 
-/// Standard deviation of the height of every wave, of a squared exponential process.
+/// Standard deviation of the height of every wave, of a process of Matern's covariance of order
+/// 3/2: as rough as rings are, with long waves that are higher than short ones.
 ///
 /// Source: Solin and Sarkka, Statistics and Computing 30 (2020), section 3; cosines for a free
-/// boundary.
+/// boundary. Rasmussen and Williams (2006), equation 4.15.
 std::vector<double> wave_sigma(const Ripples& ripples, const RipplePrior& prior);
 
 /// The prior that the sightings make most likely, by climbing from several; the noise of the

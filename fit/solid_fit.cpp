@@ -17,12 +17,14 @@ constexpr double least_slope = 0.03;
 constexpr int rounds = 8;
 constexpr int longest_lag = 12;       // neighbours over which scatter may hang together
 constexpr double radius_prior = 0.5;  // of the width of a ring
+constexpr double held_radius = 0.05;  // the same where ripples can take its place
 
 Eigen::VectorXd precision_of(const GrowthSolid& solid, const SolidPrior& prior) {
   Eigen::VectorXd precision(solid.size());
   for (std::size_t k = 0; k < solid.radii.size(); ++k) {
     const double inner = k > 0 ? solid.radii[k - 1] : 0.0;
-    const double loose = radius_prior * (solid.radii[k] - inner);
+    const double share = prior.ripples.empty() ? radius_prior : held_radius;
+    const double loose = share * (solid.radii[k] - inner);
     precision[solid.radii_at() + Eigen::Index(k)] = 1.0 / (loose * loose);
   }
   precision.head<2>().setConstant(1.0 / (prior.pith * prior.pith));
@@ -79,19 +81,23 @@ double design_effect(const std::vector<RingSighting>& seen, const std::vector<do
 /// Everything that changes while the solid is being fitted.
 class Descent {
  public:
-  Descent(const std::vector<RingSighting>& seen, const GrowthSolid& start, const SolidPrior& prior,
-          std::size_t faces, double noise)
+  Descent(const std::vector<RingSighting>& seen, const std::vector<RingThread>& threads,
+          const GrowthSolid& start, const SolidPrior& prior, std::size_t faces, double noise)
       : seen_(seen),
+        threads_(threads),
         mean_(start.state()),
         precision_(precision_of(start, prior)),
         noise_(noise),
         together_(prior.together) {
     fit_.solid = start;
-    fit_.faces.resize(faces);
-    off_.resize(seen.size());
-    slope_.assign(seen.size(), 1.0);
-    weight_.assign(seen.size(), 0.0);
-    rows_.resize(start.size(), Eigen::Index(seen.size()));
+    fit_.faces.resize(2 * faces);  // those of their threads behind
+    group_.reserve(seen.size() + threads.size());
+    for (const RingSighting& one : seen) group_.push_back(one.face);
+    for (const RingThread& one : threads) group_.push_back(faces + one.face);
+    off_.resize(group_.size());
+    slope_.assign(group_.size(), 1.0);
+    weight_.assign(group_.size(), 0.0);
+    rows_.resize(start.size(), Eigen::Index(group_.size()));
   }
 
   SolidFit run() {
@@ -100,22 +106,24 @@ class Descent {
       const Eigen::VectorXd state = fit_.solid.state();
       const auto information = normal_matrix();
       Eigen::VectorXd right = precision_.cwiseProduct(mean_ - state);
-      for (std::size_t i = 0; i < seen_.size(); ++i)
+      for (std::size_t i = 0; i < group_.size(); ++i)
         right -= weight_[i] * off_[i] * slope_[i] * rows_.col(Eigen::Index(i));
       const Eigen::VectorXd move = information.ldlt().solve(right);
       fit_.solid.set_state(state + move);
       look();
       if (move.segment<2>(2).norm() + std::abs(move[4]) < 1e-6 && round > 1) break;
     }
-    for (std::size_t face = 0; face < fit_.faces.size(); ++face) {
+    const std::size_t faces = fit_.faces.size() / 2;
+    for (std::size_t face = 0; face < faces; ++face) {
       auto& one = fit_.faces[face];
       if (one.sightings > 0) one.effect = design_effect(seen_, off_, face, one.scatter);
     }
     set_equations();
     for (std::size_t i = 0; i < seen_.size(); ++i)
-      weight_[i] *= together_ / fit_.faces[seen_[i].face].effect;
+      weight_[i] *= together_ / fit_.faces[group_[i]].effect;
     const Eigen::Index size = fit_.solid.size();
     fit_.solid.covariance = normal_matrix().ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+    fit_.faces.resize(faces);
     return fit_;
   }
 
@@ -135,19 +143,42 @@ class Descent {
       slope_[i] = std::max(local.gradient.dot(across), least_slope);
       off_[i] = (local.rho - solid.radii[seen_[i].ring]) / slope_[i];
     });
+    for_each_index(int(threads_.size()), [&](int index) {
+      const RingThread& thread = threads_[std::size_t(index)];
+      const auto i = seen_.size() + std::size_t(index);
+      const SolidLocal from = local_of(solid, thread.from), to = local_of(solid, thread.to);
+      StemVector within, without;
+      double length = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+        length = std::hypot(length, thread.to[k] - thread.from[k]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double middle = 0.5 * (thread.from[k] + thread.to[k]);
+        within[k] = middle - 0.5 * length * thread.across[k];
+        without[k] = middle + 0.5 * length * thread.across[k];
+      }
+      const SolidLocal low = local_of(solid, within), high = local_of(solid, without);
+      const double slope = (high.rho - low.rho) / length;
+      slope_[i] = std::max(std::abs(slope), least_slope);
+      off_[i] = (to.rho - from.rho) / slope_[i];
+      // The slope changes as well: else flat growth, of which all is one ring, would fit best.
+      auto row = rows_.col(Eigen::Index(i));
+      row.setZero();
+      const double share = (to.rho - from.rho) / (slope < 0.0 ? -slope_[i] : slope_[i]) / length;
+      row.head(solid.radii_at()) = to.slopes - from.slopes - share * (high.slopes - low.slopes);
+    });
     std::vector<std::vector<double>> sizes(fit_.faces.size());
-    for (std::size_t i = 0; i < seen_.size(); ++i)
-      sizes[seen_[i].face].push_back(std::abs(off_[i]));
+    for (std::size_t i = 0; i < group_.size(); ++i) sizes[group_[i]].push_back(std::abs(off_[i]));
     for (std::size_t face = 0; face < sizes.size(); ++face) {
       auto& one = fit_.faces[face];
       one.sightings = int(sizes[face].size());
       if (one.sightings > 0) one.scatter = std::max(1.4826 * median(sizes[face]), noise_);
     }
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-      const double scatter = fit_.faces[seen_[i].face].scatter;
+    for (std::size_t i = 0; i < group_.size(); ++i) {
+      const double scatter = fit_.faces[group_[i]].scatter;
       const double relative = off_[i] / (loss_scale * scatter);
       const double unit = scatter * slope_[i];
-      weight_[i] = 1.0 / (unit * unit * (1.0 + relative * relative) * together_);
+      weight_[i] = 1.0 / (unit * unit * (1.0 + relative * relative));
+      if (i < seen_.size()) weight_[i] /= together_;  // threads lie apart from each other
     }
   }
 
@@ -156,10 +187,10 @@ class Descent {
     const Eigen::VectorXd state = fit_.solid.state();
     sums.normal = weighted_rows();
     sums.right = Eigen::VectorXd::Zero(state.size());
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
+    for (std::size_t i = 0; i < group_.size(); ++i) {
       const auto row = rows_.col(Eigen::Index(i));
       const double offset = off_[i] * slope_[i] - row.dot(state);
-      const double unit = fit_.faces[seen_[i].face].scatter * slope_[i];
+      const double unit = fit_.faces[group_[i]].scatter * slope_[i];
       sums.right += weight_[i] * offset * row;
       sums.squares += weight_[i] * offset * offset;
       sums.count += weight_[i] * unit * unit;
@@ -184,6 +215,8 @@ class Descent {
   }
 
   const std::vector<RingSighting>& seen_;
+  const std::vector<RingThread>& threads_;
+  std::vector<std::size_t> group_;  // of sightings, then threads: whose scatter they share
   Eigen::VectorXd mean_, precision_;
   double noise_;
   SolidFit fit_;
@@ -195,8 +228,9 @@ class Descent {
 }  // namespace
 
 SolidFit fitted_solid(const std::vector<RingSighting>& sightings, const GrowthSolid& start,
-                      const SolidPrior& prior, std::size_t faces, double noise) {
-  return Descent(sightings, start, prior, faces, noise).run();
+                      const SolidPrior& prior, std::size_t faces, double noise,
+                      const std::vector<RingThread>& threads) {
+  return Descent(sightings, threads, start, prior, faces, noise).run();
 }
 
 }  // namespace hada

@@ -16,6 +16,14 @@ struct RingSighting {
   StemVector across{1.0, 0.0, 0.0};  // unit vector within the picture, outward across the line
 };
 
+/// A piece of the line that some ring draws on a picture: both ends lie on one ring, nobody says
+/// which.
+struct RingThread {
+  StemVector from, to;
+  std::size_t face = 0;
+  StemVector across{1.0, 0.0, 0.0};  // unit vector within the picture, across the line
+};
+
 /// What is known before anything is looked at: standard deviations.
 struct SolidPrior {
   double pith = 1e3;  // in the unit of the pictures, about where it starts
@@ -49,9 +57,11 @@ struct SolidFit {
 
 /// The growth that explains the sightings best, by Gauss-Newton with a Cauchy loss.
 ///
-/// start   the prior means; radii are known to half the width of a ring
-/// noise   least scatter, in the unit of the pictures
+/// start    the prior means; radii are known to half the width of a ring
+/// noise    least scatter, in the unit of the pictures
+/// threads  how rings bend, where it is not known which they are
 SolidFit fitted_solid(const std::vector<RingSighting>& sightings, const GrowthSolid& start,
-                      const SolidPrior& prior, std::size_t faces, double noise);
+                      const SolidPrior& prior, std::size_t faces, double noise,
+                      const std::vector<RingThread>& threads = {});
 
 }  // namespace hada

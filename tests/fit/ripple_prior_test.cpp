@@ -10,19 +10,20 @@ namespace {
 const Ripples::Box box{{-10.0, -10.0, -20.0}, {20.0, 20.0, 40.0}};
 
 TEST(RipplePrior, MakesWavesThatAddUpToItsHeight) {
-  const Ripples ripples = ripples_in(box, 600);
-  const RipplePrior prior{.height = 0.3, .across = 6.0, .along = 12.0};
+  const Ripples ripples = ripples_in(box, 3000);
+  const RipplePrior prior{.height = 0.3, .across = 3.0, .along = 6.0};
   const auto sigma = wave_sigma(ripples, prior);
-  // At the walls free waves swing twice as high in variance; in the middle of the box they are
-  // those of the process but for what its reflections hold, 2 exp(-pi^2 6^2 4 / (2 20^2)) and less
-  // of it, and for the constant wave, which is not among the waves.
+  // In the middle of the box waves are those of the process but for what its reflections hold,
+  // (1 + sqrt(3) 20 / 3) exp(-sqrt(3) 20 / 3) = 1e-4 each, for the constant wave, which is not
+  // among the waves, and for those shorter than the last: its wave number is 6.7 / across, and of
+  // the spectrum 1.7 (sqrt(3) / 6.7)^3 = 3 % lie beyond.
   double variance = 0.0;
   ripples.each({0.0, 0.0, 0.0}, [&](std::size_t n, double value, const auto&) {
     variance += sigma[n] * sigma[n] * value * value;
   });
   const double constant =
-      0.09 * std::pow(2.0 * M_PI, 1.5) * 6.0 * 6.0 * 12.0 / (20.0 * 20.0 * 40.0);
-  EXPECT_NEAR(variance + constant, 0.09, 0.04 * 0.09);
+      0.09 * 64.0 * M_PI / 2.0 / std::sqrt(27.0) * 3.0 * 3.0 * 6.0 / (20.0 * 20.0 * 40.0);
+  EXPECT_NEAR(variance + constant, 0.985 * 0.09, 0.02 * 0.09);
 }
 
 TEST(RipplePrior, OrdersItsWavesFromLongToShort) {
