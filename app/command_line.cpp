@@ -181,9 +181,11 @@ void add_modelling(Commands& commands) {
         command.add_option("--face", a.face,
                            "of wood: picture of the tangential face, stem upright, same pitch");
         command
-            .add_option("--view", a.view,
-                        "of wood: whether the input is an end-grain or a face (default: automatic)")
-            ->check(CLI::IsMember({"automatic", "end-grain", "face"}));
+            .add_option(
+                "--view", a.view,
+                "of wood: whether the input is an end-grain or a face; of forged: block if a "
+                "pixel is a place of the block and none is turned (default: automatic)")
+            ->check(CLI::IsMember({"automatic", "end-grain", "face", "block"}));
         add_out(command, a, "material file to write (default: material.json)");
       });
   commands.add("figure", "Read gloss and dive of the fibres off a polished cut of wood",

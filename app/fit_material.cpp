@@ -28,8 +28,9 @@ Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOpt
   return fit_wood(surface, {.view = view, .face = options.face});
 }
 
-ForgedFit fit_like(const Forged<>&, const Surface& surface, const FitMaterialOptions&) {
-  return fit_forged(surface);
+ForgedFit fit_like(const Forged<>&, const Surface& surface, const FitMaterialOptions& options) {
+  return fit_forged(surface,
+                    {.view = options.view == "block" ? GrainView::block : GrainView::automatic});
 }
 
 // What only some fits have to tell.

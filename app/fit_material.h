@@ -11,7 +11,7 @@ namespace hada {
 struct FitMaterialOptions {
   int components = 0;         // of a material that has a list of them; 0: the data decide
   double lens_blur_px = 0.0;  // of wrinkles: what the lens is known to blur by, standard deviation
-  std::string view = "automatic";  // of wood: automatic, end-grain or face
+  std::string view = "automatic";  // or, of wood, end-grain or face; of forged steel, block
   const Surface* face = nullptr;   // of wood: the tangential face of the block, beside its end
   FitProgress progress = {};       // told what is being done, where a fit has stages
 };

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numbers>
 
 #include "core/parallel.h"
 #include "core/quantile.h"
@@ -70,6 +71,34 @@ void degrade(Grid<float>& grey, Seed seed) {
   }
 }
 
+/// The picture of a block that lies askew: each pixel the mean of four places between others.
+Grid<float> photographed(const Grid<float>& block, int row, int col, const ForgedStudyOptions& o,
+                         Seed seed) {
+  const double angle = (2.0 * uniform(seed, 1, 3) - 1.0) * 4.0 * std::numbers::pi / 180.0;
+  const double scale = std::exp(0.15 * (2.0 * uniform(seed, 2, 3) - 1.0));
+  const double aspect = std::exp(0.05 * (2.0 * uniform(seed, 3, 3) - 1.0));
+  const double c = std::cos(angle), s = std::sin(angle);
+  Grid<float> picture(o.rows, o.cols);
+  for_each_index(o.rows, [&](int r) {
+    for (int k = 0; k < o.cols; ++k) {
+      double sum = 0.0;
+      for (const double down : {-0.25, 0.25}) {
+        for (const double right : {-0.25, 0.25}) {
+          const double x = k + right - 0.5 * o.cols, y = 0.5 * o.rows - r - down;
+          const double at_col = col + 0.5 * o.cols + (c * x + s * y) / (scale * aspect);
+          const double at_row = row + 0.5 * o.rows - (c * y - s * x) / scale;
+          const int i = int(at_row), j = int(at_col);
+          const double a = at_row - i, b = at_col - j;
+          sum += (1 - a) * ((1 - b) * block(i, j) + b * block(i, j + 1)) +
+                 a * ((1 - b) * block(i + 1, j) + b * block(i + 1, j + 1));
+        }
+      }
+      picture(r, k) = float(0.25 * sum);
+    }
+  });
+  return picture;
+}
+
 std::string random_sequence(int folds, Seed seed) {
   std::string sequence;
   for (int k = 0; k < folds; ++k) sequence += uniform(seed, k) < 0.5 ? 'C' : 'R';
@@ -81,7 +110,8 @@ Surface picture(const std::string& sequence, const ForgedStudyOptions& o, Seed s
   quantise(block, 70.0, o.degraded ? 5.0 : 0.0);
   // Well inside, where the rim of the block is not felt.
   const int row = 400 + int(300 * uniform(seed, 1, 7)), col = 600 + int(900 * uniform(seed, 2, 7));
-  Grid<float> grey = crop(block, row, col, o.rows, o.cols);
+  Grid<float> grey =
+      o.turned ? photographed(block, row, col, o, seed + 2) : crop(block, row, col, o.rows, o.cols);
   if (o.degraded) {
     degrade(grey, seed + 1);
   } else {
@@ -167,10 +197,10 @@ ForgedStudy study_forged(const ForgedStudyOptions& options) {
     const std::string truth = random_sequence(options.folds, seed);
     const Surface surface = picture(truth, options, seed);
     const auto start = Clock::now();
-    const auto fit =
-        options.length_known
-            ? fit_forged(surface, {.fewest_folds = options.folds, .most_folds = options.folds})
-            : fit_forged(surface);
+    ForgedFitOptions how;
+    if (options.length_known) how.fewest_folds = how.most_folds = options.folds;
+    if (!options.turned) how.view = GrainView::block;
+    const auto fit = fit_forged(surface, how);
     seconds.push_back(seconds_since(start));
     const auto holds = [&](const SequenceClass& one) {
       return std::find(one.sequences.begin(), one.sequences.end(), truth) != one.sequences.end();

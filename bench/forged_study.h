@@ -20,7 +20,8 @@ struct ForgedStudyOptions {
   int cols = 1024;
   int folds = 6;
   bool length_known = true;  // all sequences of that length are the candidates
-  bool degraded = true;      // c 70, d 5, blur 0.7 px, noise 10 %, a tone of its own, 8 bits
+  bool turned = false;   // by up to 4 degrees, scaled and stretched; otherwise the view is known
+  bool degraded = true;  // c 70, d 5, blur 0.7 px, noise 10 %, a tone of its own, 8 bits
 };
 
 /// How often the folds of pictures from the middle of blocks are named, as shares.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "fit/solve.h"
-#include "fit/whittle.h"
+#include "core/fft.h"
 #include "synth/forged_spectrum.h"
 
 namespace hada {
@@ -49,13 +49,14 @@ struct AxisSeen {
 };
 
 AxisSeen seen_along(const std::string& sequence, char cut, HammerKernel kernel,
-                    const GrainAxis& axis) {
+                    const GrainAxis& axis, double scale) {
   int n = 64;
-  while (n < axis.length + reach_of(sequence, cut)) n *= 2;
+  while (n < axis.length + scale * reach_of(sequence, cut)) n *= 2;
   std::vector<double> gain(static_cast<std::size_t>(n));
   double sum = 0.0, squares = 0.0;
   for (int k = 0; k <= n / 2; ++k) {
-    const double f = double(k) / n, g = axis_gain(sequence, cut, kernel, f);
+    const double f = double(k) / n, u = scale * f;
+    const double g = u > 0.5 ? 0.0 : axis_gain(sequence, cut, kernel, u);
     gain[std::size_t(k)] = gain[std::size_t(k == 0 ? 0 : n - k)] = g;
     const double both = k == 0 || 2 * k == n ? 1.0 : 2.0;
     sum += both * g / n;
@@ -67,48 +68,63 @@ AxisSeen seen_along(const std::string& sequence, char cut, HammerKernel kernel,
   return {std::move(seen), sum, squares / sum};
 }
 
-double clamped_exp(double x) {
-  return x < -700.0 ? 0.0 : std::exp(x);
-}
-
 /// The spectrum along one axis of the m-th term of the quantising error, folded at Nyquist.
 double error_along(double f, double slope, double step, double m) {
   const double narrow = step * step / (2.0 * m * m * std::max(slope, 1e-12));
-  // Wide terms are flat: three of their copies on each side hold the rest.
+  if (narrow < 0.5) return 1.0;  // wide terms are flat
+  // Copies on each side that reach into the band.
   const int turns = narrow > 20.0 ? 0 : narrow > 4.0 ? 1 : 3;
   double sum = 0.0;
-  for (int turn = -turns; turn <= turns; ++turn)
-    sum += clamped_exp(-narrow * (f + turn) * (f + turn));
-  if (narrow < 0.5) return 1.0;
+  for (int turn = -turns; turn <= turns; ++turn) {
+    const double down = narrow * (f + turn) * (f + turn);
+    if (down < 40.0) sum += std::exp(-down);
+  }
   return sum * std::sqrt(narrow / pi);  // its integral over all f is 1
-}
-
-constexpr std::size_t nuisances = 6;
-constexpr std::array<SolverBounds, nuisances> bounds{
-    {{-4.0, 1.0}, {-4.0, 1.1}, {-24.0, 0.7}, {-5.0, 0.7}, {-1.0, 1.0}, {-1.0, 1.0}}};
-
-std::vector<double> packed(const GrainNuisance& n) {
-  return {std::log(n.variance), std::log(n.blur_px),   std::log(n.floor),
-          std::log(n.step),     std::log(n.steeper_x), std::log(n.steeper_y)};
-}
-
-GrainNuisance unpacked(const double* p) {
-  return {std::exp(p[0]), std::exp(p[1]), std::exp(p[2]),
-          std::exp(p[3]), std::exp(p[4]), std::exp(p[5])};
 }
 
 }  // namespace
 
 GrainModel grain_model(const std::string& sequence, HammerKernel kernel,
-                       const GrainSpectrum& spectrum) {
-  auto along = seen_along(sequence, 'C', kernel, spectrum.x);
-  auto down = seen_along(sequence, 'R', kernel, spectrum.y);
-  return {sequence,
-          std::move(along.cells),
-          std::move(down.cells),
-          along.variance * down.variance,
-          along.slope,
-          down.slope};
+                       const GrainSpectrum& spectrum, double scale, double aspect) {
+  GrainModel model;
+  model.sequence = sequence;
+  model.kernel = kernel;
+  rescale(model, spectrum, scale, aspect);
+  return model;
+}
+
+void rescale(GrainModel& model, const GrainSpectrum& spectrum, double scale, double aspect) {
+  if (model.along.empty() || model.scale_x != scale * aspect) {
+    model.scale_x = scale * aspect;
+    auto along = seen_along(model.sequence, 'C', model.kernel, spectrum.x, model.scale_x);
+    model.along = std::move(along.cells);
+    model.variance_x = along.variance;
+    model.slope_x = along.slope;
+  }
+  if (model.down.empty() || model.scale_y != scale) {
+    model.scale_y = scale;
+    auto down = seen_along(model.sequence, 'R', model.kernel, spectrum.y, model.scale_y);
+    model.down = std::move(down.cells);
+    model.variance_y = down.variance;
+    model.slope_y = down.slope;
+  }
+  model.variance = model.variance_x * model.variance_y;
+}
+
+std::vector<double> grain_covariance(const GrainModel& model, char cut, int places) {
+  int n = 64;
+  while (n < 2 * places || n < places + reach_of(model.sequence, cut)) n *= 2;
+  // No grain beyond the Nyquist frequency of the places: zeros there make the lags finer.
+  Grid<double> density(1, covariance_steps * n);
+  for (int k = 0; k <= n / 2; ++k) {
+    const double g = axis_gain(model.sequence, cut, model.kernel, double(k) / n);
+    density(0, k) = density(0, k == 0 ? 0 : density.cols() - k) = 2 * k == n ? 0.5 * g : g;
+  }
+  const auto lags = fft(density);
+  std::vector<double> covariance;
+  for (int lag = 0; lag <= covariance_steps * places; ++lag)
+    covariance.push_back(lags(0, lag).real() / lags(0, 0).real());
+  return covariance;
 }
 
 void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
@@ -157,38 +173,6 @@ double grain_cost(const GrainModel& model, const GrainNuisance& nuisance,
     cost += spectrum.count[k] * (std::exp(d) - 1.0 - d);
   }
   return cost;
-}
-
-GrainFit fit_nuisance(const GrainModel& model, const GrainSpectrum& spectrum,
-                      const GrainNuisance& start, int most_iterations) {
-  const int count = int(spectrum.power.size());
-  const auto residuals = [&](const double* p, double* r) {
-    std::vector<double> expected;
-    expected_cells(model, unpacked(p), spectrum, expected);
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-      const double n = spectrum.count[k];
-      r[k] = n == 0.0 ? 0.0
-                      : std::sqrt(n) * deviance_residual(std::log(spectrum.power[k] / expected[k]));
-    }
-  };
-  const ResidualFunction evaluate = [&](const double* p, double* r, double* jacobian) {
-    residuals(p, r);
-    if (!jacobian) return;
-    constexpr double h = 1e-5;
-    std::vector<double> moved(static_cast<std::size_t>(count));
-    for (std::size_t k = 0; k < nuisances; ++k) {
-      std::array<double, nuisances> q;
-      std::copy(p, p + nuisances, q.begin());
-      q[k] += h;
-      residuals(q.data(), moved.data());
-      for (std::size_t i = 0; i < std::size_t(count); ++i)
-        jacobian[nuisances * i + k] = (moved[i] - r[i]) / h;
-    }
-  };
-  const auto ending = descend({packed(start)}, {bounds.begin(), bounds.end()}, count, evaluate,
-                              {.max_iterations = most_iterations, .tolerance = 1e-7})
-                          .front();
-  return {unpacked(ending.packed.data()), ending.cost};
 }
 
 }  // namespace hada

@@ -17,6 +17,8 @@ struct GrainNuisance {
   double step = 0.3;       // between neighbouring levels, in standard deviations of the picture
   double steeper_x = 1.0;  // mean square slope at the edges of levels, over that of the model
   double steeper_y = 1.0;
+  double scale = 1.0;   // pixels for a place of the block, down the picture
+  double aspect = 1.0;  // the same along the rows, over `scale`
 };
 
 /// The grain of one sequence as the cells of a periodogram are expected to see it.
@@ -25,12 +27,26 @@ struct GrainModel {
   std::vector<double> along;  // mean expected power of the cells of x, for grain of variance 1
   std::vector<double> down;   // of y, the product of both a power spectral density in px^2
   double variance = 1.0;      // of the grain of a block whose numbers have variance 1
-  double slope_x = 0.0;       // mean square slope along x over the variance, 1/px^2
+  double variance_x = 1.0;    // its factors for both axes
+  double variance_y = 1.0;
+  double slope_x = 0.0;  // mean square slope along x over the variance, 1/px^2
   double slope_y = 0.0;
+  HammerKernel kernel = HammerKernel::both;
+  double scale_x = 1.0;  // pixels for a place
+  double scale_y = 1.0;
 };
 
+/// scale  pixels for a place; beyond the Nyquist frequency of the places there is no grain
 GrainModel grain_model(const std::string& sequence, HammerKernel kernel,
-                       const GrainSpectrum& spectrum);
+                       const GrainSpectrum& spectrum, double scale = 1.0, double aspect = 1.0);
+
+/// The same grain at another scale.
+void rescale(GrainModel& model, const GrainSpectrum& spectrum, double scale, double aspect);
+
+/// The autocovariance along one axis of grain of variance 1, at lags of a whole number of eighths
+/// of a place, up to `places`. cut  the letter that stretches along this axis
+std::vector<double> grain_covariance(const GrainModel& model, char cut, int places);
+constexpr int covariance_steps = 8;  // of a place
 
 /// The expected power of every cell, rows of y, cells of x.
 ///
@@ -44,18 +60,8 @@ GrainModel grain_model(const std::string& sequence, HammerKernel kernel,
 void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
                     const GrainSpectrum& spectrum, std::vector<double>& expected);
 
-/// How well a sequence explains a periodogram, with the nuisance that suits it best.
-struct GrainFit {
-  GrainNuisance nuisance;
-  double cost = 0.0;  // half the deviance of the Whittle likelihood
-};
-
 /// Half the deviance at a given nuisance.
 double grain_cost(const GrainModel& model, const GrainNuisance& nuisance,
                   const GrainSpectrum& spectrum);
-
-/// The nuisance with the least deviance, by bounded descent from `start`.
-GrainFit fit_nuisance(const GrainModel& model, const GrainSpectrum& spectrum,
-                      const GrainNuisance& start, int most_iterations);
 
 }  // namespace hada

@@ -55,6 +55,8 @@ GrainAxis axis_of(int length, const std::vector<double>& taper,
   return axis;
 }
 
+}  // namespace
+
 std::vector<int> cell_of_frequency(const GrainAxis& axis) {
   std::vector<int> cell;
   for (int c = 0; c < axis.cells(); ++c) {
@@ -63,33 +65,41 @@ std::vector<int> cell_of_frequency(const GrainAxis& axis) {
   return cell;
 }
 
-}  // namespace
-
-GrainSpectrum grain_spectrum(const Grid<float>& scores, const GrainSpectrumOptions& options) {
+TaperedTransform tapered_transform(const Grid<float>& scores, double taper) {
   const int rows = scores.rows(), cols = scores.cols();
-  const auto along = tukey(cols, options.taper), down = tukey(rows, options.taper);
-  GrainSpectrum spectrum;
-  spectrum.x = axis_of(cols, along, options);
-  spectrum.y = axis_of(rows, down, options);
+  const auto along = tukey(cols, taper), down = tukey(rows, taper);
+  const double energy = sum_of_powers(along, 2) * sum_of_powers(down, 2);
+  const double unit = 1.0 / std::sqrt(energy);
   Grid<double> tapered(rows, cols);
   for_each_index(rows, [&](int row) {
     for (int col = 0; col < cols; ++col)
-      tapered(row, col) = scores(row, col) * along[std::size_t(col)] * down[std::size_t(row)];
+      tapered(row, col) =
+          unit * scores(row, col) * along[std::size_t(col)] * down[std::size_t(row)];
   });
-  const auto half = fft(tapered);
-  const double energy = sum_of_powers(along, 2) * sum_of_powers(down, 2);
-  const double independence =
-      energy * energy / (sum_of_powers(along, 4) * sum_of_powers(down, 4)) / (double(rows) * cols);
+  return {fft(tapered), energy * energy / (sum_of_powers(along, 4) * sum_of_powers(down, 4)) /
+                            (double(rows) * cols)};
+}
+
+double ordinate_weight(int row, int col, int rows, int cols) {
+  if (std::abs(signed_frequency(row, rows)) < left_out && col < left_out) return 0.0;
+  return col == 0 || 2 * col == cols ? 0.5 : 1.0;
+}
+
+GrainSpectrum grain_spectrum(const Grid<float>& scores, const GrainSpectrumOptions& options) {
+  const int rows = scores.rows(), cols = scores.cols();
+  GrainSpectrum spectrum;
+  spectrum.x = axis_of(cols, tukey(cols, options.taper), options);
+  spectrum.y = axis_of(rows, tukey(rows, options.taper), options);
+  const auto [half, independence] = tapered_transform(scores, options.taper);
   const auto x_cell = cell_of_frequency(spectrum.x), y_cell = cell_of_frequency(spectrum.y);
   spectrum.power = Grid<double>(spectrum.y.cells(), spectrum.x.cells());
   spectrum.count = Grid<double>(spectrum.y.cells(), spectrum.x.cells());
   for (int row = 0; row < rows; ++row) {
-    const int i = std::abs(signed_frequency(row, rows));
+    const int r = y_cell[std::size_t(std::abs(signed_frequency(row, rows)))];
     for (int col = 0; col < half.cols(); ++col) {
-      if (i < left_out && col < left_out) continue;
-      const double weight = col == 0 || 2 * col == cols ? 0.5 : 1.0;  // both halves are in
-      const int r = y_cell[std::size_t(i)], c = x_cell[std::size_t(col)];
-      spectrum.power(r, c) += weight * std::norm(half(row, col)) / energy;
+      const double weight = ordinate_weight(row, col, rows, cols);
+      const int c = x_cell[std::size_t(col)];
+      spectrum.power(r, c) += weight * std::norm(half(row, col));
       spectrum.count(r, c) += weight;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +32,20 @@ struct GrainSpectrumOptions {
   int single = 12;       // so many frequencies from 0 on stay alone
   double growth = 0.08;  // size of a cell further out, as a share of its frequency
 };
+
+/// Half of the transform of a tapered picture; the squares of its values are power, in px^2.
+struct TaperedTransform {
+  Grid<std::complex<double>> half;
+  double independence = 1.0;  // independent ordinates, as a share of all
+};
+TaperedTransform tapered_transform(const Grid<float>& scores, double taper);
+
+/// How much ordinate (row, col) of the half of a transform tells: 0 next to frequency 0, which the
+/// mean has emptied, 1/2 where its mirror image is in the same half.
+double ordinate_weight(int row, int col, int rows, int cols);
+
+/// The cell of every frequency of an axis from 0 to the Nyquist one.
+std::vector<int> cell_of_frequency(const GrainAxis& axis);
 
 /// scores  grey values of mean 0
 GrainSpectrum grain_spectrum(const Grid<float>& scores, const GrainSpectrumOptions& options = {});

@@ -1,6 +1,7 @@
 #include "fit/sequence_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -16,6 +17,7 @@ constexpr std::size_t guessed = 6;  // guesses whose nuisance is fitted
 constexpr int most_rounds = 8;
 constexpr std::size_t kept = 300;  // sequences that are still looked at after a round
 constexpr int iterations = 20;
+constexpr std::array other_scales{0.87, 1.15};  // where the search begins besides 1
 
 bool likelier(const SequenceCandidate& a, const SequenceCandidate& b) {
   const double x = a.loss(), y = b.loss();
@@ -62,7 +64,9 @@ class Beam {
   Beam(std::vector<SequenceCandidate> pool, const GrainSpectrum& spectrum,
        const SequenceSearchOptions& options)
       : pool_(std::move(pool)), spectrum_(spectrum), options_(options) {
-    for (const auto& one : pool_) known_.insert(one.model.sequence);
+    std::sort(pool_.begin(), pool_.end(), likelier);
+    std::erase_if(pool_,
+                  [&](const auto& one) { return !known_.insert(one.model.sequence).second; });
     settle();
   }
 
@@ -86,8 +90,8 @@ class Beam {
     const std::size_t old = pool_.size();
     pool_.resize(old + fresh.size());
     for_each_index(int(fresh.size()), [&](int k) {
-      pool_[old + std::size_t(k)].model =
-          grain_model(fresh[std::size_t(k)], options_.kernel, spectrum_);
+      pool_[old + std::size_t(k)].model = grain_model(fresh[std::size_t(k)], options_.kernel,
+                                                      spectrum_, nuisance_.scale, nuisance_.aspect);
     });
     if (!fresh.empty()) {
       judge();
@@ -104,7 +108,7 @@ class Beam {
     }
     for_each_index(int(chosen.size()), [&](int k) {
       auto& one = *chosen[std::size_t(k)];
-      one.fit = fit_nuisance(one.model, spectrum_, one.fit.nuisance, iterations);
+      one.fit = fit_nuisance(one.model, spectrum_, one.fit.nuisance, iterations, options_.scale);
     });
     return !chosen.empty();
   }
@@ -114,14 +118,16 @@ class Beam {
     std::sort(pool_.begin(), pool_.end(), likelier);
     if (pool_.size() > kept) pool_.resize(kept);
     nuisance_ = pool_.front().fit.nuisance;
+    occam_ = pool_.front().fit.occam;
     judge();
   }
 
   void judge() {
     for_each_index(int(pool_.size()), [&](int k) {
       auto& one = pool_[std::size_t(k)];
-      if (!refined_.contains(one.model.sequence))
-        one.fit = {nuisance_, grain_cost(one.model, nuisance_, spectrum_)};
+      if (refined_.contains(one.model.sequence)) return;
+      rescale(one.model, spectrum_, nuisance_.scale, nuisance_.aspect);
+      one.fit = {nuisance_, grain_cost(one.model, nuisance_, spectrum_), occam_};
     });
     std::sort(pool_.begin(), pool_.end(), likelier);
   }
@@ -130,13 +136,14 @@ class Beam {
   const GrainSpectrum& spectrum_;
   SequenceSearchOptions options_;
   GrainNuisance nuisance_;
+  double occam_ = 0.0;
   std::set<std::string> known_, expanded_, refined_;
 };
 
 }  // namespace
 
 double SequenceCandidate::loss(double scatter) const {
-  return fit.cost / scatter + std::log(2.0) * double(model.sequence.size());
+  return fit.cost / scatter + fit.occam + std::log(2.0) * double(model.sequence.size());
 }
 
 std::vector<SequenceCandidate> first_guesses(const GrainSpectrum& spectrum,
@@ -158,16 +165,41 @@ std::vector<SequenceCandidate> first_guesses(const GrainSpectrum& spectrum,
     auto& one = guesses[std::size_t(k)];
     one.model = grain_model(all[std::size_t(k)], options.kernel, spectrum);
     one.fit = {photographed, grain_cost(one.model, photographed, spectrum)};
+    if (options.scale == GrainScale::one) return;
+    for (const double scale : other_scales) {
+      GrainNuisance scaled = photographed;
+      scaled.scale = scale;
+      rescale(one.model, spectrum, scale, 1.0);
+      const double cost = grain_cost(one.model, scaled, spectrum);
+      if (cost < one.fit.cost) one.fit = {scaled, cost};
+    }
   });
   std::sort(guesses.begin(), guesses.end(), likelier);
   for_each_index(int(std::min(guessed, guesses.size())), [&](int k) {
     auto& one = guesses[std::size_t(k)];
-    one.fit = fit_nuisance(one.model, spectrum, photographed, iterations);
-    const auto other = fit_nuisance(one.model, spectrum, clean, iterations);
-    if (other.cost < one.fit.cost) one.fit = other;
+    GrainNuisance other_start = clean;
+    other_start.scale = one.fit.nuisance.scale;
+    GrainModel other_model = one.model;
+    const auto other = fit_nuisance(other_model, spectrum, other_start, iterations, options.scale);
+    one.fit = fit_nuisance(one.model, spectrum, one.fit.nuisance, iterations, options.scale);
+    if (other.cost + other.occam < one.fit.cost + one.fit.occam) {
+      one.fit = other;
+      one.model = std::move(other_model);
+    }
   });
   std::sort(guesses.begin(), guesses.end(), likelier);
   return guesses;
+}
+
+std::vector<SequenceCandidate> refitted(std::vector<SequenceCandidate> candidates, std::size_t most,
+                                        const GrainSpectrum& spectrum,
+                                        const SequenceSearchOptions& options) {
+  candidates.resize(std::min(most, candidates.size()));
+  for_each_index(int(candidates.size()), [&](int k) {
+    auto& one = candidates[std::size_t(k)];
+    one.fit = fit_nuisance(one.model, spectrum, one.fit.nuisance, iterations, options.scale);
+  });
+  return candidates;
 }
 
 std::vector<SequenceCandidate> likely_sequences(std::vector<SequenceCandidate> guesses,

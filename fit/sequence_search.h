@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/grain_model.h"
+#include "fit/grain_nuisance.h"
 
 namespace hada {
 
@@ -24,14 +24,20 @@ struct SequenceSearchOptions {
   int most_folds = 12;
   HammerKernel kernel = HammerKernel::both;
   int refined = 16;  // sequences whose nuisance is fitted anew
+  GrainScale scale = GrainScale::one;
 };
 
 /// Nuisances from which some sequence explains the periodogram best; no beam yet.
 ///
 /// For every number of cuts along both axes the even mixture and the two that make all cuts of one
-/// kind first.
+/// kind first; of an unknown scale, at the best of several.
 std::vector<SequenceCandidate> first_guesses(const GrainSpectrum& spectrum,
                                              const SequenceSearchOptions& options);
+
+/// The first `most` candidates, their nuisance fitted from where it is with these options.
+std::vector<SequenceCandidate> refitted(std::vector<SequenceCandidate> candidates, std::size_t most,
+                                        const GrainSpectrum& spectrum,
+                                        const SequenceSearchOptions& options);
 
 /// The likeliest sequences and many others, the likeliest first: a beam search from `guesses` over
 /// letters that are flipped, put in, left out, or change places.

@@ -15,7 +15,7 @@ struct FitArguments {
   std::optional<double> pitch_mm;
   int components = 0;              // 0: the data decide
   double lens_blur_px = 0.0;       // of wrinkles: standard deviation of the lens's point spread
-  std::string view = "automatic";  // of wood: automatic, end-grain or face
+  std::string view = "automatic";  // or, of wood, end-grain or face; of forged steel, block
   std::filesystem::path face;      // of wood: picture of the tangential face; may be empty
 };
 

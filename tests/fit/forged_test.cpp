@@ -45,8 +45,9 @@ class ForgedFits : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ForgedFits, NamesTheSequenceOfANoisyPicture) {
   const int folds = int(GetParam().size());
-  const auto fit = fit_forged(photographed(GetParam(), {512, 1024}, 11, 0.1, true),
-                              {.fewest_folds = folds - 1, .most_folds = folds + 1});
+  const auto fit =
+      fit_forged(photographed(GetParam(), {512, 1024}, 11, 0.1, true),
+                 {.fewest_folds = folds - 1, .most_folds = folds + 1, .view = GrainView::block});
   EXPECT_EQ(fit.material.sequence, GetParam());
   EXPECT_GT(fit.posterior.front().probability, 0.5);
   // Deviances of cells of many ordinates have mean 1; 4000 of them scatter by 2.2 %, and a tenth
@@ -56,17 +57,18 @@ TEST_P(ForgedFits, NamesTheSequenceOfANoisyPicture) {
   EXPECT_NEAR(std::sqrt(fit.nuisance.floor), 0.1, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sequences, ForgedFits,
-                         ::testing::Values("CRCRCR", "RCCRCC", "CCCCC", "RRCRCC"));
+INSTANTIATE_TEST_SUITE_P(Sequences, ForgedFits, ::testing::Values("CRCRCR", "CCCCC", "RRCRCC"));
 
 TEST(ForgedFit, NamesTheSequenceOfACleanPicture) {
-  const auto fit = fit_forged(photographed("RCRRCC", {256, 512}, 12, 0.0, false));
+  const auto fit = fit_forged(photographed("RCRRCC", {256, 384}, 12, 0.0, false),
+                              {.most_folds = 7, .view = GrainView::block});
   EXPECT_EQ(fit.material.sequence, "RCRRCC");
   EXPECT_GT(fit.posterior.front().probability, 0.99);
 }
 
 TEST(ForgedFit, GivesProbabilitiesThatSumToOne) {
-  const auto fit = fit_forged(photographed("CRRC", {128, 128}, 13, 0.3, true), {.most_folds = 7});
+  const auto fit = fit_forged(photographed("CRRC", {128, 128}, 13, 0.3, true),
+                              {.most_folds = 6, .view = GrainView::block});
   double sum = 0.0;
   for (const auto& one : fit.posterior) sum += one.probability;
   EXPECT_NEAR(sum, 1.0, 1e-3);  // those below 1e-6 are not listed
@@ -76,8 +78,10 @@ TEST(ForgedFit, GivesProbabilitiesThatSumToOne) {
 TEST(ForgedFit, ReportsAsOneWhatNoDataCanTellApart) {
   // Under a kernel along the stretched axis alone the order of the folds leaves no trace.
   const auto picture = photographed("CRC", {128, 256}, 14, 0.1, true);
-  const auto fit =
-      fit_forged(picture, {.fewest_folds = 3, .most_folds = 3, .kernel = HammerKernel::stretched});
+  const auto fit = fit_forged(picture, {.fewest_folds = 3,
+                                        .most_folds = 3,
+                                        .kernel = HammerKernel::stretched,
+                                        .view = GrainView::block});
   for (const auto& one : fit.posterior) {
     const auto cuts = std::count(one.sequences[0].begin(), one.sequences[0].end(), 'C');
     EXPECT_EQ(one.sequences.size(), cuts == 1 || cuts == 2 ? 3u : 1u);
@@ -87,20 +91,13 @@ TEST(ForgedFit, ReportsAsOneWhatNoDataCanTellApart) {
 TEST(ForgedFit, IsTheSameAtAnyThreadCount) {
   const auto picture = photographed("CRC", {96, 96}, 15, 0.1, true);
   set_threads(1);
-  const auto alone = fit_forged(picture, {.most_folds = 5});
+  const auto alone = fit_forged(picture, {.fewest_folds = 3, .most_folds = 4});
   set_threads(3);
-  const auto shared = fit_forged(picture, {.most_folds = 5});
+  const auto shared = fit_forged(picture, {.fewest_folds = 3, .most_folds = 4});
   set_threads(0);
   EXPECT_EQ(alone.material.sequence, shared.material.sequence);
   EXPECT_EQ(alone.cost, shared.cost);
   EXPECT_EQ(alone.posterior.front().probability, shared.posterior.front().probability);
-}
-
-TEST(ForgedFit, KnowsTheKindsOfThePaper) {
-  EXPECT_EQ(kind_of("CCCCCCCC"), "masame");
-  EXPECT_EQ(kind_of("CRCRCRCRCRCR"), "mokume");
-  for (const char* itame : {"CCRCCRCCR", "CRCCRCCRC", "RCCRCCRCC", "CRCRCRCCC"})
-    EXPECT_EQ(kind_of(itame), "itame");
 }
 
 TEST(ForgedFit, RefusesWhatShowsNoGrain) {
