@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -54,12 +55,13 @@ void keep_near(std::vector<Stretch>& stretches, const Vector3d& place, double cl
   });
 }
 
-// The face that a pointer beside the paper may still mean: one with a snap within reach; of those
-// that share it the one whose middle is nearest.
-int face_near(const Sheet& sheet, const Ray& ray, const AimOptions& options) {
+// Of some faces the one that a pointer beside or above them may still mean: one with a snap within
+// reach; of those that share it the one whose middle is nearest.
+int face_near(const Sheet& sheet, const std::vector<int>& faces, const Ray& ray,
+              const AimOptions& options) {
   int best = -1;
   double nearest = options.reach, nearest_middle = 0.0;
-  for (int f = 0; f < sheet.faces(); ++f) {
+  for (const int f : faces) {
     const auto snap = snapped(sheet, f, ray, options.reach, options.edge_parts);
     if (!snap) continue;
     const double off = distance(ray, snap->place), slack = 1e-6 * options.reach;
@@ -75,6 +77,24 @@ int face_near(const Sheet& sheet, const Ray& ray, const AimOptions& options) {
     best = f;
   }
   return best;
+}
+
+// The face whose snaps and guides count.
+int meant_face(const Sheet& sheet, const std::optional<Hit>& under, const Ray& ray,
+               const AimOptions& options) {
+  if (options.faces.empty()) {
+    if (under) return under->face;
+    std::vector<int> all(std::size_t(sheet.faces()));
+    std::iota(all.begin(), all.end(), 0);
+    return face_near(sheet, all, ray, options);
+  }
+  if (const int near = face_near(sheet, options.faces, ray, options); near >= 0) return near;
+  for (const Hit& met : hits(sheet, ray)) {
+    if (std::find(options.faces.begin(), options.faces.end(), met.face) != options.faces.end()) {
+      return met.face;
+    }
+  }
+  return -1;
 }
 
 std::optional<Aim> free_place(const std::optional<Hit>& under, const Ray& ray,
@@ -94,22 +114,44 @@ std::optional<Aim> free_place(const std::optional<Hit>& under, const Ray& ray,
   return aim;
 }
 
-// The directions that divide the corners which all layers have at a place.
-std::vector<Stretch> directions_from(const Sheet& sheet, const Vector3d& place, int parts) {
+// A direction as far as it goes on a face.
+Stretch within(const std::vector<Stretch>& edges, const Vector3d& from, const Vector3d& way,
+               double size) {
+  Vector3d end = from;
+  for (const Stretch& edge : edges) {
+    const auto place = crossing({from, from + size * way}, edge);
+    if (place && (*place - from).norm() > (end - from).norm()) end = *place;
+  }
+  return {from, end};
+}
+
+// The ways that divide the angle which a face has at a place of its border: a corner's, or inside
+// an edge half a turn.
+std::vector<Vector3d> ways_from(const Sheet& sheet, int face, const Vector3d& place, int parts) {
   constexpr double close = 1e-9;
+  for (const int h : sheet.halves_of(face)) {
+    const Vector3d &a = at(sheet, sheet.origin(h)), &b = at(sheet, sheet.target(h));
+    if ((a - place).norm() < close) return corner_directions(sheet, face, sheet.origin(h), parts);
+    if ((b - place).norm() < close) return corner_directions(sheet, face, sheet.target(h), parts);
+    const double share = (place - a).dot(b - a) / (b - a).squaredNorm();
+    const bool on = share > 0.0 && share < 1.0 && (a + share * (b - a) - place).norm() < close;
+    if (on) return edge_directions(sheet, face, h, parts);
+  }
+  return {};
+}
+
+// The directions that divide the angles which all layers have at a place.
+std::vector<Stretch> directions_from(const Sheet& sheet, const Vector3d& place, int parts) {
+  const double size = 2.0 * size_of(sheet.flat);
   std::vector<Stretch> directions;
   for (int f = 0; f < sheet.faces(); ++f) {
-    const auto corners = sheet.corners_of(f);
-    const bool meets = std::any_of(corners.begin(), corners.end(),
-                                   [&](int v) { return (at(sheet, v) - place).norm() < close; });
-    if (!meets) continue;
-    for (const Stretch& guide : guides_of(sheet, f, parts)) {
-      if ((guide[0] - place).norm() > close) continue;
-      const Vector3d way = (guide[1] - guide[0]).normalized();
+    const auto edges = edges_of(sheet, f);
+    for (const Vector3d& way : ways_from(sheet, f, place, parts)) {
       const bool known = std::any_of(directions.begin(), directions.end(), [&](const Stretch& d) {
-        return ((d[1] - d[0]).normalized() - way).norm() < close;
+        return ((d[1] - d[0]).normalized() - way).norm() < 1e-9;
       });
-      if (!known) directions.push_back(guide);
+      const Stretch guide = within(edges, place, way, size);
+      if (!known && guide[1] != guide[0]) directions.push_back(guide);
     }
   }
   return directions;
@@ -124,12 +166,8 @@ std::vector<Stretch> guides_of(const Sheet& sheet, int face, int parts) {
   for (const int corner : sheet.corners_of(face)) {
     const Vector3d& from = at(sheet, corner);
     for (const Vector3d& way : corner_directions(sheet, face, corner, parts)) {
-      Vector3d end = from;
-      for (const Stretch& edge : edges) {
-        const auto place = crossing({from, from + size * way}, edge);
-        if (place && (*place - from).norm() > (end - from).norm()) end = *place;
-      }
-      if (end != from) guides.push_back({from, end});
+      const Stretch guide = within(edges, from, way, size);
+      if (guide[1] != guide[0]) guides.push_back(guide);
     }
   }
   return guides;
@@ -148,7 +186,7 @@ std::vector<Vector3d> crossings_of(const std::vector<Stretch>& stretches) {
 std::optional<Aim> aim(const Sheet& sheet, const Stack& stack, const Ray& ray,
                        const AimOptions& options) {
   const auto under = seen(sheet, stack, ray);
-  const int face = under ? under->face : face_near(sheet, ray, options);
+  const int face = meant_face(sheet, under, ray, options);
   auto result = free_place(under, ray, options);
   if (face < 0 && !options.start) return result;
   std::vector<Stretch> stretches = options.lines;

@@ -27,6 +27,8 @@ struct AimOptions {
   double reach = 0.02;                        // of a snap, from the line of sight
   std::vector<Stretch> lines = {};            // on the sheet that are no edges yet
   std::optional<Eigen::Vector3d> start = {};  // where the stroke began
+  std::vector<int> faces = {};  // if any, their corners, edges and guides count, however deep they
+                                // lie, and those of the face that is seen do not
 };
 
 /// What a pointer was drawn to.
@@ -42,8 +44,8 @@ struct Aim {
 
 /// Where a pointer means to draw: the vertex within reach, or else the nearest of the points that
 /// divide an edge and the places where guides, edges and lines cross, or else the nearest place on
-/// a direction that divides the corner where the stroke began (also beyond the paper), or else the
-/// paper under it, or the ground at the height of the start.
+/// a direction that divides the corner, or the half turn at the edge, where the stroke began (also
+/// beyond the paper), or else the paper under it, or the ground at the height of the start.
 ///
 /// none  if the ray misses the ground too
 ///

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -33,6 +34,16 @@ Vector3d centre_of(const Sheet& sheet, int face) {
 
 double distance(const Ray& ray, const Vector3d& place) {
   return ray.way.normalized().cross(place - ray.eye).norm();
+}
+
+// The ways that divide an angle into parts, counted from one of its sides.
+std::vector<Vector3d> parted(const Vector3d& side, double angle, const Vector3d& normal,
+                             int parts) {
+  std::vector<Vector3d> ways;
+  for (int k = 1; k < parts; ++k) {
+    ways.push_back(Eigen::AngleAxisd(angle * k / parts, normal) * side);
+  }
+  return ways;
 }
 
 }  // namespace
@@ -116,14 +127,15 @@ std::vector<Vector3d> corner_directions(const Sheet& sheet, int face, int corner
     const Vector3d leaving = (at(sheet, sheet.target(next)) - at(sheet, corner)).normalized();
     const Vector3d arriving = (at(sheet, sheet.origin(h)) - at(sheet, corner)).normalized();
     const double angle = std::atan2(leaving.cross(arriving).norm(), leaving.dot(arriving));
-    const Vector3d normal = normal_of(sheet, face);
-    std::vector<Vector3d> directions;
-    for (int k = 1; k < parts; ++k) {
-      directions.push_back(Eigen::AngleAxisd(angle * k / parts, normal) * leaving);
-    }
-    return directions;
+    return parted(leaving, angle, normal_of(sheet, face), parts);
   }
   return {};
+}
+
+std::vector<Vector3d> edge_directions(const Sheet& sheet, int face, int half, int parts) {
+  const Vector3d along =
+      (at(sheet, sheet.target(half)) - at(sheet, sheet.origin(half))).normalized();
+  return parted(along, std::numbers::pi, normal_of(sheet, face), parts);
 }
 
 int axis_of_click(const Sheet& sheet, int face, const Vector3d& click) {

@@ -46,6 +46,10 @@ std::optional<Snap> snapped(const Sheet& sheet, int face, const Ray& ray, double
 /// in the order from the side that leaves the corner.
 std::vector<Eigen::Vector3d> corner_directions(const Sheet& sheet, int face, int corner, int parts);
 
+/// The directions that divide the half turn at any place inside an edge of a face into `parts`,
+/// unit length, in the order from the way the edge runs around the face.
+std::vector<Eigen::Vector3d> edge_directions(const Sheet& sheet, int face, int half, int parts);
+
 /// The crease about which a face should turn when it is clicked at `click`: of its creases that the
 /// plane through click and centre and across the face cuts, the one furthest from the click; -1 if
 /// there is none.

@@ -18,6 +18,7 @@
 namespace hada {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 Vector3d place(JsonObject& object, const std::string& key) {
@@ -43,6 +44,7 @@ AimOptions aim_options(JsonObject& object, const FoldSession& session) {
   options.corner_parts = parts(object, "corner_parts");
   options.reach = object.number("reach");
   if (object.has("start")) options.start = place(object, "start");
+  if (object.flag("chosen", false)) options.faces = chosen_now(session);
   for (const DrawnLine& line : session.state().waiting) {
     options.lines.push_back(
         {Vector3d(line.from.x(), line.from.y(), 0.0), Vector3d(line.to.x(), line.to.y(), 0.0)});
@@ -67,20 +69,37 @@ FoldStep step_of_stroke(JsonObject& object, const FoldSession& session) {
     return step;
   }
   for (const auto& [word, action] :
-       {std::pair{"fold", FoldAction::fold}, std::pair{"crease", FoldAction::crease},
-        std::pair{"through", FoldAction::through}}) {
+       {std::pair{"fold", FoldAction::fold}, std::pair{"crease", FoldAction::crease}}) {
     if (does == word) return step_of_line(session, action, from, to, Crease(letter[0]));
   }
-  object.fail("does", "must be fold, crease, through or score");
+  object.fail("does", "must be fold, crease or score");
 }
 
 // The ends of an axis that was drawn by hand.
-std::optional<std::array<Eigen::Vector2d, 2>> line_from(JsonObject& object) {
+std::optional<std::array<Vector2d, 2>> line_from(JsonObject& object) {
   if (!object.has("line")) return std::nullopt;
   const auto n = object.numbers("line", 4);
-  const Eigen::Vector2d from(n[0], n[1]), to(n[2], n[3]);
+  const Vector2d from(n[0], n[1]), to(n[2], n[3]);
   if ((to - from).norm() < 1e-6) object.fail("line", "must join two places apart");
   return {{from, to}};
+}
+
+// What is chosen or pinned is named by a line of sight, by a place of the flat sheet, or all let
+// go.
+void toggle_asked(JsonObject& object, const FoldSession& session, std::vector<Vector2d>& places) {
+  if (object.flag("none", false)) {
+    object.finish();
+    places.clear();
+    return;
+  }
+  if (!object.has("place")) {
+    const Ray ray = ray_from(object);
+    object.finish();
+    return toggle(session, places, ray);
+  }
+  const auto numbers = object.numbers("place", 2);
+  object.finish();
+  toggle(session, places, Vector2d(numbers[0], numbers[1]));
 }
 
 std::string hold(JsonObject& object, FoldSession& session) {
@@ -133,9 +152,7 @@ std::string FoldApi::change(const std::string& verb, const std::string& body) {
     return fold_shape_text(between(session_, at, share), share);
   }
   if (verb == "pin" || verb == "choose") {
-    const Ray ray = ray_from(object);
-    object.finish();
-    toggle(session_, verb == "pin" ? session_.pins : session_.chosen, ray);
+    toggle_asked(object, session_, verb == "pin" ? session_.pins : session_.chosen);
   } else if (verb == "drop") {
     object.finish();
     const bool turned = session_.dragged && session_.grip->step.degrees != 0.0;
@@ -145,7 +162,10 @@ std::string FoldApi::change(const std::string& verb, const std::string& body) {
   } else if (verb == "stroke") {
     session_.add(step_of_stroke(object, session_));
   } else if (verb == "do") {
-    session_.add(fold_step_of(body, "the step"));
+    const FoldStep step = fold_step_of(body, "the step");
+    session_.add(step);
+    // Chosen faces are cut by it: what is left of them is chosen anew.
+    if (step.action == FoldAction::through && !step.faces.empty()) session_.chosen.clear();
   } else if (verb == "go") {
     const int at = object.integer("at");
     object.finish();

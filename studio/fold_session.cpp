@@ -151,13 +151,29 @@ void drag(FoldSession& session, const Ray& ray, double whole_deg) {
   session.dragged = grip.swing->state();
 }
 
+std::vector<int> chosen_now(const FoldSession& session) {
+  std::vector<int> faces;
+  for (const Vector2d& place : session.chosen) {
+    const int face = face_at(session.state().sheet, place);
+    if (face >= 0) faces.push_back(face);
+  }
+  return faces;
+}
+
+void toggle(const FoldSession& session, std::vector<Vector2d>& places, const Vector2d& place) {
+  const Sheet& sheet = session.state().sheet;
+  const int face = face_at(sheet, place);
+  if (face < 0) throw Error("this place is beside the sheet");
+  const auto removed =
+      std::erase_if(places, [&](const Vector2d& known) { return face_at(sheet, known) == face; });
+  if (removed == 0) places.push_back(place);
+}
+
 void toggle(const FoldSession& session, std::vector<Vector2d>& places, const Ray& ray) {
   const Sheet& sheet = session.state().sheet;
   const auto found = seen(sheet, session.stack(), ray);
   if (!found) throw Error("there is no paper under the pointer");
-  const auto removed = std::erase_if(
-      places, [&](const Vector2d& place) { return face_at(sheet, place) == found->face; });
-  if (removed == 0) places.push_back(flat_place(sheet, found->face, found->place));
+  toggle(session, places, flat_place(sheet, found->face, found->place));
 }
 
 FoldState between(const FoldSession& session, int at, double share) {
@@ -183,11 +199,8 @@ FoldState between(const FoldSession& session, int at, double share) {
 
 FoldStep step_of_line(const FoldSession& session, FoldAction action, const Vector3d& from,
                       const Vector3d& to, Crease crease) {
-  if (action != FoldAction::through && !session.is_open()) {
+  if (!session.is_open()) {
     throw Error("the sheet is folded; lines of the pattern are drawn while it is open");
-  }
-  if (action == FoldAction::through && !session.state().flat) {
-    throw Error("the sheet is not flat; flatten it first, or turn a face");
   }
   if ((to - from).norm() < 1e-6) throw Error("the line is too short; drag further");
   FoldStep step;

@@ -67,8 +67,14 @@ class FoldSession {
 Grip taken(const FoldSession& session, const Ray& ray,
            const std::optional<std::array<Eigen::Vector2d, 2>>& line);
 
-/// Takes the place of the flat sheet under the pointer into `places`, or those of that face out.
-/// throws  Error if there is no paper under the pointer
+/// The faces that are chosen.
+std::vector<int> chosen_now(const FoldSession& session);
+
+/// Takes a place of the flat sheet into `places`, or those of its face out: the place itself, or
+/// what is under the pointer.
+/// throws  Error if there is no paper
+void toggle(const FoldSession& session, std::vector<Eigen::Vector2d>& places,
+            const Eigen::Vector2d& place);
 void toggle(const FoldSession& session, std::vector<Eigen::Vector2d>& places, const Ray& ray);
 
 /// On the way to step `at` (from 1): a share of it is done, if it is one that turns paper.
@@ -77,8 +83,8 @@ FoldState between(const FoldSession& session, int at, double share);
 /// Turns what is held to where the pointer is, in whole multiples of `whole_deg` (> 0), or freely.
 void drag(FoldSession& session, const Ray& ray, double whole_deg);
 
-/// The step of a line that was drawn from above: "fold", "crease" on the open sheet or "through".
-/// throws  Error if the sheet does not lie so that the line has a meaning
+/// The step of a line that was drawn on the open sheet from above: "fold" or "crease".
+/// throws  Error if the sheet is not open
 FoldStep step_of_line(const FoldSession& session, FoldAction action, const Eigen::Vector3d& from,
                       const Eigen::Vector3d& to, Crease crease);
 

@@ -81,6 +81,8 @@ std::string fold_state_text(const FoldSession& session) {
                {"open", session.is_open()},
                {"crossing_pairs", crossing_faces(sheet).size()}};
   put_shape(json, sheet, session.stack());
+  Json& flat = json["flat_vertices"] = Json::array();
+  for (const auto& p : sheet.flat) flat.push_back({p.x(), p.y()});
   Json& edges = json["edges"] = Json::array();
   for (int e = 0; e < sheet.edges(); ++e) {
     edges.push_back({{"from", sheet.origin(2 * e)},
@@ -96,8 +98,9 @@ std::string fold_state_text(const FoldSession& session) {
   }
   Json& pins = json["pins"] = Json::array();
   for (const auto& pin : session.pins) pins.push_back(place_now(sheet, pin));
-  Json& chosen = json["chosen"] = Json::array();
-  for (const auto& place : session.chosen) chosen.push_back(face_at(sheet, place));
+  json["chosen"] = chosen_now(session);
+  Json& chosen = json["chosen_places"] = Json::array();
+  for (const auto& place : session.chosen) chosen.push_back({place.x(), place.y()});
   return json.dump();
 }
 

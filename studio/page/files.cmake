@@ -4,6 +4,7 @@ set(HADA_PAGE_FILES
   capture/circles.js
   capture/room.js
   fold/camera.js
+  fold/flat.js
   fold/marks.js
   fold/paper.js
   fold/pointer.js

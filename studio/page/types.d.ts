@@ -20,6 +20,7 @@ interface FoldStep {
   note?: string;
   degrees?: number;
   layers?: string;
+  faces?: FlatPlace[];
 }
 
 interface FoldState extends Shape {
@@ -34,6 +35,8 @@ interface FoldState extends Shape {
   waiting: { from: FlatPlace; to: FlatPlace; crease: string }[];
   pins: Place[];
   chosen: number[];
+  chosen_places: FlatPlace[];
+  flat_vertices: FlatPlace[];
 }
 
 interface Aim {

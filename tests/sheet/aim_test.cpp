@@ -57,6 +57,18 @@ TEST_F(AimOnASquare, FollowsADirectionBeyondThePaper) {
   }
 }
 
+TEST_F(AimOnASquare, FollowsADirectionFromInsideAnEdge) {
+  options_.start = Vector3d(0.25, 0.0, 0.0);
+  options_.corner_parts = 8;
+  const double slope = std::tan(std::numbers::pi * 3.0 / 8.0);
+  for (const double y : {0.3, 1.7}) {
+    const Aim found = at(0.25 + y / slope + 0.01, y);
+    EXPECT_EQ(found.by, Drawn::direction);
+    EXPECT_EQ(found.guides.size(), 7u);
+    EXPECT_NEAR(found.place.y(), slope * (found.place.x() - 0.25), 1e-12);
+  }
+}
+
 TEST_F(AimOnASquare, TakesLinesThatWaitForEdges) {
   options_.lines = {{Vector3d(0.2, 0.1, 0.0), Vector3d(0.2, 0.9, 0.0)}};
   EXPECT_LT((at(0.21, 0.11).place - Vector3d(0.2, 0.1, 0.0)).norm(), 1e-15);

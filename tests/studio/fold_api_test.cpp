@@ -71,6 +71,30 @@ TEST_F(FoldRequests, DrawFoldTurnUndoAndExport) {
   }
 }
 
+TEST_F(FoldRequests, ChooseHiddenFacesOnTheFlatSheetAndDrawOnThem) {
+  const auto fold = [](Json from, Json to, Json faces) {
+    return Json{{"do", "through"}, {"from", from}, {"to", to}, {"faces", faces}};
+  };
+  // The right half comes to lie on the left one.
+  ask("do", fold({0.5, 1.1}, {0.5, -0.1}, Json::array()));
+  EXPECT_EQ(ask("choose", {{"place", {0.9, 0.5}}})["chosen"].size(), 1u);
+  EXPECT_EQ(ask("choose", {{"place", {0.8, 0.4}}})["chosen"].size(), 0u);
+  ask("choose", {{"place", {0.9, 0.5}}});
+  EXPECT_EQ(ask("choose", {{"place", {0.1, 0.5}}})["chosen"].size(), 2u);
+  EXPECT_EQ(ask("choose", {{"none", true}})["chosen"].size(), 0u);
+  const Json state = ask("choose", {{"place", {0.1, 0.5}}});
+  EXPECT_EQ(state["flat_vertices"].size(), 6u);
+  EXPECT_EQ(state["chosen_places"], Json({{0.1, 0.5}}));
+  // The corner of the upper layer is folded in; that of the one below stays.
+  const Json folded = ask("do", fold({0.0, 0.7}, {0.2, 1.1}, {{0.9, 0.5}}));
+  EXPECT_EQ(folded["chosen"].size(), 0u) << "what was chosen is cut";
+  const int hidden = ask("choose", {{"place", {0.1, 0.5}}})["chosen"][0].get<int>();
+  EXPECT_EQ(aim_at(0.01, 0.99, {{"chosen", true}})["by"], "vertex");
+  EXPECT_EQ(aim_at(0.01, 0.99, {{"chosen", true}})["face"], hidden);
+  EXPECT_THAT(post(studio_, "api/fold/choose", R"({"place": [2, 0.5]})"),
+              HasSubstr("beside the sheet"));
+}
+
 TEST_F(FoldRequests, SayWhatCannotBeDone) {
   EXPECT_THAT(post(studio_, "api/fold/hold", down_to(0.5, 0.5).dump()),
               HasSubstr("no crease to turn about"));

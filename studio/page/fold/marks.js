@@ -27,6 +27,8 @@ export class Marks {
     this.degrees = null;
     /** @type {[number, number] | null} */
     this.cross = null;
+    /** @type {Place[]} corners of a face that is pointed out */
+    this.lit = [];
     /** @type {FoldState | null} */
     this.state = null;
   }
@@ -82,6 +84,7 @@ export class Marks {
       this.dot(pin, '#ffffff', 7);
       this.dot(pin, ink.pin, 5);
     }
+    if (this.lit.length > 0) this.line([...this.lit, this.lit[0]], ink.stroke, 2.5);
     if (this.axis) this.line(this.axis, ink.axis, 3, [10, 5]);
     if (this.aim) this.drawAim(this.aim);
     if (this.stroke) this.drawStroke(this.stroke);

@@ -3,6 +3,7 @@ import * as THREE from '../vendor/three.module.js';
 import { get, newestOf, post } from '../api.js';
 import { attempt, complain, part, say } from '../parts.js';
 import { Eye } from './camera.js';
+import { Flat } from './flat.js';
 import { Marks } from './marks.js';
 import { Paper } from './paper.js';
 import { listen } from './pointer.js';
@@ -23,6 +24,7 @@ class Room {
     this.sun = sun;
     this.scene.add(this.paper.group, new THREE.AmbientLight(0xffffff, 1.25), sun);
     this.marks = new Marks(part('fold-marks'), (place) => this.project(place));
+    this.flat = new Flat((state) => this.show(state), (face) => this.light(face));
     this.steps = new Steps((state) => this.show(state), (shape) => this.showShape(shape));
     /** @type {FoldState | null} */
     this.state = null;
@@ -100,6 +102,7 @@ class Room {
   show(state) {
     this.state = this.marks.state = state;
     this.steps.list(state);
+    this.flat.tell(state);
     this.marks.grip = this.marks.stroke = this.marks.degrees = null;
     const faces = `${state.faces.length} face${state.faces.length === 1 ? '' : 's'}`;
     const strain = `strain ${state.strain.most < 1e-15 ? '0' : state.strain.most.toExponential(0)}`;
@@ -108,6 +111,13 @@ class Room {
     part('fold-export').hidden = state.log.length === 0;
     this.showShape(state);
     part('room-fold').dataset.at = String(state.at);
+  }
+
+  /** Outlines a face through all that lies on it. @param {number} face -1 for none */
+  light(face) {
+    const { vertices = [], faces = [] } = this.state ?? {};
+    const at = (/** @type {number} */ v) => /** @type {Place} */ (vertices.slice(3 * v, 3 * v + 3));
+    this.look(() => (this.marks.lit = (faces[face] ?? []).map(at)));
   }
 
   /** @param {Shape} shape */
@@ -173,6 +183,7 @@ class Room {
       edge_parts: Number(part('fold-edge-parts').value),
       corner_parts: Number(part('fold-corner-parts').value),
       reach: reach * this.eye.pixel(this.view.clientHeight),
+      chosen: this.choice('layers') === 'chosen' && ['through', 'score'].includes(this.choice('line')),
       ...(this.start ? { start: this.start.aim.place } : {}),
     });
   }
@@ -261,13 +272,30 @@ class Room {
       say('Now press on the side that turns, and drag.');
       return this.draw();
     }
-    const swap = does === 'through' && this.choice('side') === 'right';
-    const [first, second] = swap ? [to, from] : [from, to];
-    this.show(await post('fold/stroke', {
-      does, eye, from: first, to: second, crease: this.choice('letter'),
-      layers: this.choice('layers') === 'chosen' ? 'chosen' : 'all',
+    const layers = this.choice('layers');
+    this.show(does === 'through' ? await this.foldThrough(from, to, layers === 'chosen') : await post('fold/stroke', {
+      does, eye, from, to, crease: this.choice('letter'), layers: layers === 'chosen' ? layers : 'all',
     }));
     say('');
+  }
+
+  /**
+   * Folds the layers under a stroke: all, or the chosen faces alone.
+   * @param {Place} from @param {Place} to @param {boolean} chosen
+   * @returns {Promise<FoldState>}
+   */
+  async foldThrough(from, to, chosen) {
+    const faces = chosen ? this.state?.chosen_places ?? [] : [];
+    if (chosen && faces.length === 0) throw new Error('No face is chosen: click on some on the flat sheet, or let the line fold all layers.');
+    const far = part('fold-endless').checked ? 2 * (this.state?.side ?? 1) / Math.hypot(to[0] - from[0], to[1] - from[1]) : 0;
+    const ends = [from, to].map((end, i) => [0, 1].map((k) => end[k] + (i === 0 ? far : -far) * (from[k] - to[k])));
+    if (this.choice('side') === 'right') ends.reverse();
+    const state = await post('fold/do', {
+      do: 'through', from: ends[0], to: ends[1], stiff: part('fold-stiff').checked, faces,
+      mountains: this.flat.wished('M'), valleys: this.flat.wished('V'),
+    });
+    this.flat.forget();
+    return state;
   }
 
   cancel() {

@@ -4,10 +4,12 @@ import { attempt, make, part, saveAs, say } from '../parts.js';
 
 /** @type {Record<string, string>} */
 const words = {
-  crease: 'a line, not folded', fold: 'a line to fold', flatten: 'fold all flat', through: 'fold through all layers',
+  crease: 'a line, not folded', fold: 'a line to fold', flatten: 'fold all flat', through: 'fold all layers',
   turn: 'turn about a line', squash: 'squash', over: 'turn over', score: 'a crease on the folded sheet',
   swing: 'turn a face',
 };
+/** @param {FoldStep} step */
+const wordsOf = (step) => (step.do === 'through' && step.faces ? 'fold the chosen layers' : words[step.do] ?? step.do);
 const frames = 14; // between two steps
 const pause = 250; // ms after each
 
@@ -95,13 +97,14 @@ export class Steps {
     part('fold-play').disabled = state.log.length === 0;
     const rows = state.log.map((step, i) => {
       const degrees = step.degrees === undefined ? '' : ` ${Number(step.degrees.toFixed(1))}°`;
-      const button = make('button', { type: 'button', class: 'step' }, (step.note || words[step.do] || step.do) + degrees);
+      const button = make('button', { type: 'button', class: 'step' }, (step.note || wordsOf(step)) + degrees);
       if (i + 1 === state.at) button.setAttribute('aria-current', 'step');
       button.addEventListener('click', () => attempt(() => this.go(i + 1)));
       const row = make('li', i < state.at ? {} : { class: 'undone' }, button);
       return row;
     });
     part('fold-steps').replaceChildren(...rows);
+    rows[state.at - 1]?.scrollIntoView({ block: 'nearest' });
     part('fold-steps').querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
   }
 }

@@ -1,4 +1,4 @@
-// The boat and the crane are folded by a hand, and end as their recorded logs do.
+// The boat, the crane and the snail are folded by a hand, and end as their recorded logs do.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -77,9 +77,70 @@ async function crane() {
   await endsAs('crane');
 }
 
+// How a hand draws the folds of the snail: edges and corners in parts, from and to, what
+// moves, and whether the line goes on both ways.
+const snailStrokes = [
+  [2, 4, [0.5, 0], [0.5, 1.12], 'left'],
+  [2, 8, [0.5, 0.5], [1.214, 0.796], 'left'],
+  [2, 3, [0.5, 0.5], [1.214, 0.204], 'right'],
+  [2, 3, [0.5, 0.5], [1.214, 0.204], 'right'],
+  [2, 3, [0.5, 0.5], [1.214, 0.796], 'left'],
+  [2, 4, [1.2071, 0.5], [0.493, 0.204], 'left'],
+  [2, 8, [1.2071, 0.5], [0.409, 0.341], 'left'],
+  [2, 3, [1.2071, 0.5], [0.431, 0.292], 'left'],
+  [2, 3, [1.2071, 0.5], [0.431, 0.292], 'left'],
+  [2, 8, [1.2071, 0.5], [0.619, 0.893], 'right'],
+  [2, 8, [1.2071, 0.5], [0.409, 0.659], 'right'],
+  [2, 8, [1.2071, 0.5], [0.409, 0.341], 'left'],
+  [2, 8, [1.2071, 0.5], [0.493, 0.796], 'right'],
+  [2, 8, [1.2071, 0.5], [0.409, 0.659], 'right'],
+  [2, 8, [1.2071, 0.5], [0.409, 0.659], 'right'],
+  [2, 4, [1.2071, 0.5], [0.431, 0.708], 'right'],
+  [2, 4, [1.2071, 0.5], [0.431, 0.708], 'right'],
+  [2, 8, [0.8536, 0.4297], [0.8536, 0.4652], 'left', true],
+  [4, 2, [0.9445, 0.5], [0.942, 0.265], 'left', true],
+  [2, 4, [1.2071, 0.5], [0.557, 0.5], 'right'],
+  [2, 4, [0.6768, 0.5], [1.327, 0.5], 'left'],
+  [2, 4, [1.2071, 0.5], [0.557, 0.5], 'left'],
+  [2, 4, [0.6768, 0.5], [1.327, 0.5], 'right'],
+  [4, 2, [1.1187, 0.5], [1.119, 0.265], 'left', true],
+  [2, 4, [1.2071, 0.5], [0.557, 0.5], 'left'],
+  [2, 4, [1.2071, 0.5], [0.557, 0.5], 'left'],
+  [2, 8, [1.0303, 0.5], [0.618, 0.329], 'left', true],
+  [2, 4, [1.2071, 0.5], [0.557, 0.5], 'right'],
+  [2, 4, [1.2071, 0.5], [0.557, 0.5], 'right'],
+  [2, 8, [1.0303, 0.5], [1.292, 0.392], 'left', true],
+];
+
+async function snail() {
+  const { steps } = recorded('snail');
+  await page.click('#fold-new');
+  await hand.choose('line', 'through');
+  for (const [i, [edges, corners, from, to, side, bothWays = false]] of snailStrokes.entries()) {
+    const { faces = [], mountains = [], valleys = [], stiff = false } = steps[i];
+    await hand.look(false);
+    await hand.parts(edges, corners);
+    await hand.choose('side', side);
+    await page.setChecked('#fold-stiff', stiff);
+    await page.setChecked('#fold-endless', bothWays);
+    await hand.choose('layers', faces.length > 0 ? 'chosen' : 'all');
+    await hand.pick('face', faces);
+    await hand.pick('M', mountains);
+    await hand.pick('V', valleys);
+    if (i === 18) await shot('chosen');
+    await hand.step(from, to);
+  }
+  await endsAs('snail');
+  await shot('snail');
+  await hand.choose('layers', 'all');
+  await page.uncheck('#fold-stiff');
+  await page.uncheck('#fold-endless');
+}
+
 try {
   await page.waitForSelector('#room-fold[data-at]');
   await boat();
+  await snail();
   await crane();
   await page.click('#fold-top');
   await page.mouse.move(560, 350);

@@ -106,6 +106,22 @@ export class Hand {
     await this.reached(at + 1);
   }
 
+  /** Clicks on places of the flat sheet. `does`: face, M or V. */
+  async pick(does, places) {
+    await this.choose('click', does);
+    for (const [i, [x, y]] of places.entries()) {
+      const map = await this.page.locator('#fold-flat').evaluate((view, place) => {
+        const p = new DOMPoint(...place).matrixTransform(view.firstChild.getScreenCTM());
+        return [p.x, p.y];
+      }, [x, y]);
+      await this.page.mouse.click(...map);
+      const marked = does === 'face' ? 'polygon[aria-selected=true]' : `text.crease-${does}`;
+      await this.page.waitForFunction(([what, n]) => document.querySelectorAll(`#fold-flat ${what}`).length === n,
+        [marked, i + 1], { polling: 10, timeout: 10000 })
+        .catch(() => expect(false, `a click on the flat sheet at ${x}, ${y} marks it`));
+    }
+  }
+
   async choose(name, value) {
     await this.page.check(`input[name=fold-${name}][value=${value}]`);
   }
