@@ -9,7 +9,7 @@
 namespace hada {
 namespace {
 
-constexpr int seeds = 40;
+constexpr int seeds = 40, vessel_seeds = 12;
 
 std::string rendered_rows(const std::filesystem::path& folder) {
   std::string page;
@@ -94,6 +94,17 @@ std::string made_rows() {
               verdict(within(s.face_coverage))});
 }
 
+std::string vessel_rows() {
+  const auto s = study_vessels(vessel_seeds);
+  const bool met = s.density <= 0.05 && s.radius <= 0.05 && s.right == s.woods;
+  return row({fmt::format("vessels of {} made woods: density, radius, median error, %", s.woods),
+              "5, 5", fmt::format("{:.1f}, {:.1f}", 100.0 * s.density, 100.0 * s.radius),
+              verdict(met)}) +
+         row({"their porosity told right", "all", fmt::format("{} of {}", s.right, s.woods),
+              verdict(s.right == s.woods)}) +
+         row({"their 90 % intervals, %", "", fmt::format("{:.0f}", 100.0 * s.coverage), ""});
+}
+
 }  // namespace
 
 std::string wood_results(const std::filesystem::path& data) {
@@ -109,7 +120,7 @@ std::string wood_results(const std::filesystem::path& data) {
     page += row({"x-ray profiles within one ring of their years", "17 of 18",
                  fmt::format("{} of {}", s.right, s.dated), verdict(18 * s.right >= 17 * s.dated)});
   }
-  page += made_rows();
+  page += made_rows() + vessel_rows();
   const double seconds = seconds_of_a_slice();
   page += row({"2048 x 2048 wavy, ring-porous: seconds of a core", "1 (goal 0.25)",
                fmt::format("{:.2f}", seconds), verdict(seconds <= 1.0)});

@@ -13,6 +13,7 @@
 
 #include "core/parallel.h"
 #include "core/quantile.h"
+#include "fit/vessels.h"
 #include "fit/wood.h"
 #include "io/json.h"
 #include "io/surface_file.h"
@@ -96,8 +97,7 @@ Wood<> stem(Seed seed) {
   return wood;
 }
 
-Surface picture(const Wood<>& wood, const Extent& extent, Seed seed) {
-  constexpr int finer = 3;
+Surface picture(const Wood<>& wood, const Extent& extent, Seed seed, int finer = 3) {
   Extent fine = extent;
   fine.rows *= finer;
   fine.cols *= finer;
@@ -308,6 +308,44 @@ StemScore study_stems(int seeds) {
   score.wave_amplitude = median(amplitude);
   score.wave_length = median(length);
   score.face_coverage = face.share();
+  return score;
+}
+
+VesselScore study_vessels(int seeds) {
+  const Extent extent{1000, 1000, 0.025, Unit::mm};
+  VesselScore score;
+  std::vector<double> density, radius;
+  Tally tally;
+  for (int k = 0; k < seeds; ++k) {
+    const Seed seed = Seed(3000 + k);
+    auto wood = stem(seed);
+    wood.pith_mm = {-9.0 - 6.0 * uniform(seed, 20), 4.0 * uniform(seed, 21)};
+    const bool ring = k % 2 == 1;
+    if (ring) {
+      wood.ring_vessels_per_mm = 0.7 + 0.5 * uniform(seed, 22);
+      wood.ring_vessel_radius_mm = 0.13 + 0.06 * uniform(seed, 23);
+    } else {
+      wood.vessel_density_per_mm2 = 1.0 + 1.5 * uniform(seed, 22);
+      wood.vessel_radius_mm = 0.11 + 0.05 * uniform(seed, 23);
+      wood.vessel_radius_sd_mm = 0.01;
+    }
+    const auto surface = picture(wood, extent, seed, 2);
+    const auto seen = vessels_of(surface, end_grain(surface));
+    ++score.woods;
+    if (!seen) continue;
+    if (seen->porosity == (ring ? Porosity::ring : Porosity::diffuse)) ++score.right;
+    const Known& many = ring ? seen->ring_density : seen->density;
+    const Known& large = ring ? seen->ring_radius : seen->radius;
+    const double true_many = ring ? wood.ring_vessels_per_mm : wood.vessel_density_per_mm2;
+    const double true_large = ring ? wood.ring_vessel_radius_mm : wood.vessel_radius_mm;
+    density.push_back(std::abs(many.value / true_many - 1.0));
+    radius.push_back(std::abs(large.value / true_large - 1.0));
+    tally.add(many.value - true_many, many.sigma);
+    tally.add(large.value - true_large, large.sigma);
+  }
+  score.density = density.empty() ? HUGE_VAL : median(density);
+  score.radius = radius.empty() ? HUGE_VAL : median(radius);
+  score.coverage = tally.share();
   return score;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/quantile.h"
 #include "fit/ring_colours.h"
+#include "fit/vessels.h"
 
 namespace hada {
 namespace {
@@ -153,6 +154,35 @@ void add(std::vector<std::string>& remarks, const std::vector<std::string>& more
   remarks.insert(remarks.end(), more.begin(), more.end());
 }
 
+void set_vessels(Fit<Wood<>>& fit, const std::optional<Vessels>& seen) {
+  if (!seen) {
+    fit.remarks.push_back(
+        "No vessels of at least 4 px are seen: their density and size keep their defaults.");
+    return;
+  }
+  Wood<>&wood = fit.material, &sigma = fit.sigma;
+  wood.vessel_shade = seen->shade.value;
+  sigma.vessel_shade = seen->shade.sigma;
+  wood.vessel_density_per_mm2 = seen->density.value;
+  sigma.vessel_density_per_mm2 = seen->density.sigma;
+  wood.ring_vessels_per_mm = seen->ring_density.value;
+  sigma.ring_vessels_per_mm = seen->ring_density.sigma;
+  if (seen->porosity != Porosity::ring) {
+    wood.vessel_radius_mm = seen->radius.value;
+    sigma.vessel_radius_mm = seen->radius.sigma;
+    wood.vessel_radius_sd_mm = seen->radius_sd;
+    sigma.vessel_radius_sd_mm = seen->radius.sigma;
+  }
+  if (seen->porosity != Porosity::diffuse) {
+    wood.ring_vessel_radius_mm = seen->ring_radius.value;
+    sigma.ring_vessel_radius_mm = seen->ring_radius.sigma;
+  }
+  const char* kinds[] = {"diffuse-porous", "ring-porous", "ring-porous with vessels in between"};
+  fit.remarks.push_back("The wood is " + std::string(kinds[int(seen->porosity)]) + ", by " +
+                        std::to_string(seen->discs.size()) + " vessels, with a probability of " +
+                        std::to_string(int(std::lround(100.0 * seen->probability))) + " %.");
+}
+
 }  // namespace
 
 void add_face(Fit<Wood<>>& fit, const FaceGrain& grain) {
@@ -165,6 +195,7 @@ Fit<Wood<>> wood_of(const EndGrain& grain, const Surface& surface) {
   set_shape(fit, grain, surface.extent.pitch);
   set_colours(fit, surface, grain);
   fit.remarks = remarks_on(grain);
+  set_vessels(fit, vessels_of(surface, grain));
   return fit;
 }
 
