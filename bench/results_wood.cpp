@@ -125,9 +125,11 @@ std::string wood_results(const std::filesystem::path& data) {
   page += row({"2048 x 2048 wavy, ring-porous: seconds of a core", "1 (goal 0.25)",
                fmt::format("{:.2f}", seconds), verdict(seconds <= 1.0)});
   return page +
-         "\nThe boundary of a ring is known to the pixel that holds it and no better where nobody "
-         "says "
-         "where in a pixel it was drawn; intervals allow for that, and are wide on made wood.\n";
+         "\nA ring ends where its brightness is half way between dark and light. Painted blocks "
+         "draw it "
+         "some 0.4 px further in, all rings alike; bands of cuts allow for that, intervals of "
+         "radii do "
+         "not.\n";
 }
 
 }  // namespace hada

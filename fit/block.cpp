@@ -19,6 +19,7 @@ constexpr double vague_pith =
     0.1;  // of its distance, standard deviation of a pith that is not known
 constexpr double steep_prior = 0.08;  // lean of a stem that rings run side by side in
 constexpr double pith_share = 0.5;    // of its distance that a pith may be off
+constexpr double boundary_px = 0.35;  // within a rise, where others may draw the end of a ring
 constexpr std::size_t fewest = 20;
 
 bool is_end_grain(const PlacedFace& face) {

@@ -8,9 +8,6 @@
 
 namespace hada {
 
-/// What a picture can say of a boundary whose light and dark share a pixel: standard deviation, px.
-inline constexpr double boundary_px = 0.35;
-
 /// What an end grain says of the stem it was cut from.
 struct EndGrain {
   RingShape shape;                 // pith, lobes, radii of the rings and how sure they are

@@ -97,7 +97,9 @@ double middle_of_rise(std::span<const float> values, double index, double step_p
   int dark = middle, light = middle;
   while (dark > middle - reach && !(at(dark - 1) > at(dark))) --dark;
   while (light < middle + reach && !(at(light + 1) < at(light))) ++light;
-  const double half = 0.5 * (at(dark) + at(light));
+  // A pixel mixes light, what is read between pixels mixes its logarithm: half way between both.
+  const double mixed = std::log(0.5 * (std::exp(at(dark)) + std::exp(at(light))));
+  const double half = 0.5 * (mixed + 0.5 * (at(dark) + at(light)));
   for (int i = dark; i < light; ++i) {
     if (at(i) <= half && at(i + 1) > half) return i + (half - at(i)) / (at(i + 1) - at(i));
   }

@@ -11,7 +11,7 @@ namespace hada {
 namespace {
 
 // Interpolation and the lattice move all edges of a direction alike, which no scatter shows.
-constexpr double lattice_px = 0.03;
+constexpr double lattice_px = 0.02;
 constexpr double well_seen = 0.5;  // share of the sectors of a ring
 
 /// A fit before anything is seen. Its sigma is that of fields that may be anything within their
@@ -38,7 +38,6 @@ void set_shape(Fit<Wood<>>& fit, const EndGrain& grain, double pitch) {
   const auto& radii_sigma = grain.shape.radii_sigma;
   const auto& pith_sigma = grain.shape.pith_sigma;
   const auto& lobe_sigma = grain.shape.lobe_sigma;
-  const double localised = boundary_px * pitch;
   fit.material.pith_mm = {frame.pith.x(), frame.pith.y()};
   const double lattice = lattice_px * pitch;
   fit.sigma.pith_mm = {std::hypot(pith_sigma.x(), lattice), std::hypot(pith_sigma.y(), lattice)};
@@ -56,7 +55,7 @@ void set_shape(Fit<Wood<>>& fit, const EndGrain& grain, double pitch) {
   fit.sigma.ring_radii_mm.clear();
   for (const std::size_t k : order) {
     fit.material.ring_radii_mm.push_back(radii[k]);
-    fit.sigma.ring_radii_mm.push_back(std::hypot(radii_sigma[k], localised));
+    fit.sigma.ring_radii_mm.push_back(std::hypot(radii_sigma[k], lattice));
   }
 }
 
