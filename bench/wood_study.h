@@ -65,6 +65,14 @@ struct VesselScore {
 
 VesselScore study_vessels(int seeds);
 
+/// Gloss of made boards under nine lights: worst relative errors of k_s and n, and the largest mean
+/// error of the dive of the fibres.
+struct FigureScore {
+  double specular = 0.0, sharpness = 0.0, dive_deg = 0.0;
+};
+
+FigureScore study_figures(int seeds);
+
 /// Seconds of one core for 2048 x 2048 pixels of wavy, ring-porous wood.
 double seconds_of_a_slice();
 
