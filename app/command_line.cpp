@@ -186,6 +186,9 @@ void add_modelling(Commands& commands) {
                 "of wood: whether the input is an end-grain or a face; of forged: block if a "
                 "pixel is a place of the block and none is turned (default: automatic)")
             ->check(CLI::IsMember({"automatic", "end-grain", "face", "block"}));
+        command.add_option("--report", a.report,
+                           "of forged: page to write (HTML) with picture, new piece, spectrum and "
+                           "the sequences with their probabilities");
         add_out(command, a, "material file to write (default: material.json)");
       });
   commands.add("figure", "Read gloss and dive of the fibres off a polished cut of wood",

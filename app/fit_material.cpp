@@ -1,7 +1,6 @@
 #include "app/fit_material.h"
 
 #include "app/measurement.h"
-#include "fit/forged.h"
 #include "fit/knit.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
@@ -29,8 +28,10 @@ Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOpt
 }
 
 ForgedFit fit_like(const Forged<>&, const Surface& surface, const FitMaterialOptions& options) {
-  return fit_forged(surface,
-                    {.view = options.view == "block" ? GrainView::block : GrainView::automatic});
+  auto fit = fit_forged(
+      surface, {.view = options.view == "block" ? GrainView::block : GrainView::automatic});
+  if (options.forged) *options.forged = fit;
+  return fit;
 }
 
 // What only some fits have to tell.

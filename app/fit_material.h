@@ -5,6 +5,7 @@
 #include "app/material_file.h"
 #include "core/surface.h"
 #include "fit/fit.h"
+#include "fit/forged.h"
 
 namespace hada {
 
@@ -13,6 +14,7 @@ struct FitMaterialOptions {
   double lens_blur_px = 0.0;  // of wrinkles: what the lens is known to blur by, standard deviation
   std::string view = "automatic";  // or, of wood, end-grain or face; of forged steel, block
   const Surface* face = nullptr;   // of wood: the tangential face of the block, beside its end
+  ForgedFit* forged = nullptr;     // of forged steel: where all that was found is kept
   FitProgress progress = {};       // told what is being done, where a fit has stages
 };
 

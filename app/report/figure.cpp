@@ -85,7 +85,8 @@ std::string map_figure(const MapFigure& figure) {
 }
 
 std::string spectrum_figure(const Image& picture, const SpectrumStyle& style,
-                            const std::string& unit, const std::string& caption) {
+                            const std::string& unit, const std::string& caption,
+                            const std::string& power_unit) {
   constexpr double left = 58.0;
   constexpr double side = width - left - 12.0;
   const double reach = style.highest_frequency;
@@ -105,8 +106,8 @@ std::string spectrum_figure(const Image& picture, const SpectrumStyle& style,
       "<text transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">fy "
       "(cycles/{})</text>\n",
       left + 0.5 * side, side + 38.0, unit, 4.0 + 0.5 * side, unit);
-  svg +=
-      colour_bar({style.log_power, "log10 of the power density (" + unit + "\u2074)"}, side + 48.0);
+  const std::string density = power_unit.empty() ? unit + "\u2074" : power_unit;
+  svg += colour_bar({style.log_power, "log10 of the power density (" + density + ")"}, side + 48.0);
   return captioned(svg + "</svg>", caption);
 }
 

@@ -28,9 +28,11 @@ struct MapFigure {
 
 std::string map_figure(const MapFigure& figure);
 
-/// A spectrum with its frequency axes. unit: of the surface ("mm").
+/// A spectrum with its frequency axes. unit: of the surface ("mm"); power_unit: of the density,
+/// that of a height in `unit` if it is not given.
 std::string spectrum_figure(const Image& picture, const SpectrumStyle& style,
-                            const std::string& unit, const std::string& caption);
+                            const std::string& unit, const std::string& caption,
+                            const std::string& power_unit = "");
 
 /// A small photograph with circles on the spheres and a cross on each highlight.
 struct PhotographFigure {
