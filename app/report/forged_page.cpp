@@ -20,7 +20,7 @@ constexpr int spectrum_px = 320;
 constexpr std::size_t most_sequences = 12;
 constexpr double least_share = 0.001;  // of a sequence that has a row of its own
 constexpr Seed sample_seed = 1;
-constexpr int rim_rows = 1024, rim_cols = 4096;  // of a block, that is felt after up to 12 folds
+constexpr int rim_rows = 1024, rim_cols = 8192;  // of a block, felt after up to 12 folds
 
 /// The middle of the brightness, no side longer than `most_px`.
 Grid<float> shown_part(const Surface& surface) {
@@ -44,8 +44,11 @@ Grid<float> with_the_tone_of(const Grid<float>& picture, Grid<float> sample) {
 
 std::string pictures(const Surface& surface, const ForgedFit& fit) {
   const Grid<float> picture = shown_part(surface);
-  const Surface forged = surface_of(fit.material, {picture.rows(), picture.cols()}, sample_seed);
-  const Grid<float> sample = with_the_tone_of(picture, forged.albedo.planes.front());
+  const Surface block =
+      surface_of(fit.material, {picture.rows() + rim_rows, picture.cols() + rim_cols}, sample_seed);
+  const Grid<float> sample =
+      with_the_tone_of(picture, crop(block.albedo.planes.front(), rim_rows / 2, rim_cols / 2,
+                                     picture.rows(), picture.cols()));
   const auto figure = [&](const Grid<float>& grey, const std::string& caption) {
     Surface shown;
     shown.extent = {grey.rows(), grey.cols()};
