@@ -9,6 +9,7 @@ namespace hada {
 namespace {
 
 constexpr int pictures = 24;
+constexpr int turned_pictures = 8;  // they take longer
 constexpr int seeds = 200;
 
 std::string share(double value) {
@@ -29,6 +30,14 @@ std::string named_rows() {
   const auto small = study_forged({.pictures = pictures, .rows = 256, .cols = 256});
   page += row({"the same, 256 x 256: among three", "75 %", share(small.among_three),
                verdict(small.among_three >= 0.75)});
+  const auto turned =
+      study_forged({.pictures = turned_pictures, .length_known = false, .turned = true});
+  page +=
+      row({fmt::format(
+               "512 x 1024, turned by up to 4 deg, scaled by up to 16 %, 2 to 12 folds possible, "
+               "{} pictures: first, among three",
+               turned_pictures),
+           "", share(turned.first) + ", " + share(turned.among_three), ""});
   const auto tiny = study_forged({.pictures = pictures, .rows = 128, .cols = 128});
   const int unsure = small.unsure + tiny.unsure;
   const double right =

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "bench/block_study.h"
+#include "bench/figure_study.h"
+#include "bench/recorded_wood.h"
 #include "bench/results_page.h"
 #include "bench/wood_study.h"
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "bench/block_study.h"
+#include "bench/recorded_wood.h"
 #include "bench/wood_study.h"
 
 int main(int count, char** words) {

@@ -19,27 +19,6 @@ struct BlockScore {
 /// folder  of rendered/wood_block; name "softwood_a" or "ringporous_b"
 BlockScore score_block(const std::filesystem::path& folder, const char* name);
 
-/// How a disc of pine agrees with the rings that another program detected on it.
-struct DiscScore {
-  double pith_share = 0.0;  // distance of the piths over the radius of the disc
-  int rings = 0;            // of the other program, its pith left out
-  int found = 0;            // of these: mean distance along the ring below 6 px
-  double radius_px = 0.0;   // median difference of mean radii
-  double seconds = 0.0;
-};
-
-/// folder  of wood/disc
-DiscScore score_disc(const std::filesystem::path& folder);
-
-/// Profiles of x-ray density whose first and last year are known.
-struct ProfileScore {
-  int dated = 0;
-  int right = 0;  // ring count within 1 of the years
-};
-
-/// folder  of wood/xray_profiles
-ProfileScore score_profiles(const std::filesystem::path& folder);
-
 /// Made stems of random pith, lobes and ring widths, looked at three times coarser than drawn, with
 /// noise and 8 bits.
 struct StemScore {
@@ -64,14 +43,6 @@ struct VesselScore {
 };
 
 VesselScore study_vessels(int seeds);
-
-/// Gloss of made boards under nine lights: worst relative errors of k_s and n, and the largest mean
-/// error of the dive of the fibres.
-struct FigureScore {
-  double specular = 0.0, sharpness = 0.0, dive_deg = 0.0;
-};
-
-FigureScore study_figures(int seeds);
 
 /// Seconds of one core for 2048 x 2048 pixels of wavy, ring-porous wood.
 double seconds_of_a_slice();

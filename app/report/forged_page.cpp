@@ -71,7 +71,7 @@ int cell_at(const GrainAxis& axis, double frequency) {
 /// The frequency, in cycles per px, beyond which nothing but noise is expected.
 double highest_frequency(const ForgedFit& fit) {
   const double least = *std::min_element(fit.model.begin(), fit.model.end());
-  const auto& [x, y] = std::pair(fit.spectrum.x, fit.spectrum.y);
+  const GrainAxis &x = fit.spectrum.x, &y = fit.spectrum.y;
   double highest = 0.05;
   for (int r = 0; r < y.cells(); ++r) {
     for (int c = 0; c < x.cells(); ++c) {
@@ -84,7 +84,7 @@ double highest_frequency(const ForgedFit& fit) {
 }
 
 std::string spectra(const ForgedFit& fit) {
-  const auto& [x, y] = std::pair(fit.spectrum.x, fit.spectrum.y);
+  const GrainAxis &x = fit.spectrum.x, &y = fit.spectrum.y;
   const auto [least, most] = std::minmax_element(fit.model.begin(), fit.model.end());
   const SpectrumStyle style{highest_frequency(fit),
                             {std::log10(0.3 * *least), std::log10(3.0 * *most)}};

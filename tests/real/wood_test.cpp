@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/accuracy.h"
+#include "bench/recorded_wood.h"
 #include "bench/wood_study.h"
 
 namespace hada {

@@ -7,7 +7,7 @@ import { expect, openStudio, pictures, program, sources } from './harness.mjs';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
 const material = path.join(sources, 'data_synthetic/papers/recycled_55.json');
-for (const [name, size] of [['large', 2000], ['paper', 400]]) {
+for (const [name, size] of [['large', 1400], ['paper', 400]]) {
   execFileSync(program, ['synth', material, '--size', `${size}x${size}`, '-o', path.join(folder, name), '--quiet']);
 }
 const studio = await openStudio(folder);
