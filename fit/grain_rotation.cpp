@@ -64,8 +64,10 @@ GrainRotation::GrainRotation(const Grid<float>& scores) : spectrum_(grain_spectr
 
 double GrainRotation::log_likelihood(const GrainModel& model, const GrainNuisance& nuisance,
                                      double angle_rad) const {
+  // The cells of the model may be those of another spectrum, of the picture turned back.
   GrainModel still = model;
-  std::fill(still.down.begin(), still.down.end(), 0.0);
+  still.along.assign(std::size_t(spectrum_.x.cells()), 0.0);
+  still.down.assign(std::size_t(spectrum_.y.cells()), 0.0);
   std::vector<double> noise;  // white noise and the error of quantising
   expected_cells(still, nuisance, spectrum_, noise);
   const auto density = turned_density(model, spectrum_, angle_rad);

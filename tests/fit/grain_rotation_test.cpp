@@ -65,5 +65,17 @@ TEST(GrainRotation, AtAngleZeroAgreesWithTheModelOfTheCells) {
   EXPECT_NEAR(by_ordinates / by_cells, 1.0, 0.05);
 }
 
+TEST(GrainRotation, TakesAModelThatWasMadeForASmallerPicture) {
+  const auto scores = noisy_grain("CRC", 0.0);
+  const GrainNuisance nuisance{.variance = 1.0, .floor = 0.01, .step = 0.01};
+  const GrainRotation rotation(scores);
+  const auto of = [&](const Grid<float>& picture) {
+    const auto model = grain_model("CRC", HammerKernel::both, grain_spectrum(picture));
+    return rotation.log_likelihood(model, nuisance, degree);
+  };
+  // The slopes of the model, of which the error of quantising depends, are those of the sequence.
+  EXPECT_NEAR(of(crop(scores, 10, 10, 120, 160)) / of(scores), 1.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace hada
