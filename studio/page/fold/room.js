@@ -309,8 +309,9 @@ class Room {
 }
 
 export async function openFold() {
+  const state = get('fold/state'); // on its way while the view is built
   const room = new Room();
-  room.show(await get('fold/state'));
+  room.show(await state);
   room.overlook();
   window.addEventListener('error', (event) => complain(event.message));
 }
