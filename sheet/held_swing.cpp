@@ -41,6 +41,8 @@ Swing swing_of(const Sheet& sheet, const FoldStep& step, bool hasty, const std::
 
 HeldSwing::HeldSwing(FoldState state, const FoldStep& step, bool hasty, const std::string& where)
     : state_(std::move(state)),
+      order_(state_.order),
+      hasty_(hasty),
       swinging_(state_.sheet, swing_of(state_.sheet, step, hasty, where), state_.order, where) {}
 
 void HeldSwing::further(double degrees) {
@@ -50,7 +52,13 @@ void HeldSwing::further(double degrees) {
   state_.sheet = now.sheet;
   state_.contact.reset();
   if (now.met) state_.contact = {(*now.met)[0], (*now.met)[1], (now.angle - before) / degree};
-  settle_moved(state_, now.shortly_before);
+  state_.order = order_;
+  // Between start and contact no face comes to lie on another.
+  if (hasty_ && !now.met) {
+    state_.flat = false;
+  } else {
+    settle_moved(state_, now.shortly_before);
+  }
 }
 
 double HeldSwing::degrees() const {

@@ -11,7 +11,8 @@ namespace hada {
 class HeldSwing {
  public:
   /// step    a `swing`; its degrees say nothing here
-  /// hasty   strains up to 1e-3 will do: the hand waits for every move
+  /// hasty   strains up to 1e-3 will do, and orders of layers are settled where faces meet alone:
+  ///         the hand waits for every move
   /// throws  Error with `where` if the step names no paper, no crease of it or too many pins
   HeldSwing(FoldState state, const FoldStep& step, bool hasty, const std::string& where);
 
@@ -26,6 +27,8 @@ class HeldSwing {
 
  private:
   FoldState state_;
+  std::vector<FaceOrder> order_;  // at the start
+  bool hasty_;
   Swinging swinging_;
 };
 

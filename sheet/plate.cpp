@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -51,18 +52,18 @@ Vector3d area_vector(const Places& polygon) {
   return 0.5 * twice;
 }
 
-// What is left of a polygon on the inner side of a line (Sutherland, Hodgman 1974).
-Places clipped(const Places& polygon, const Vector3d& from, const Vector3d& inner) {
-  Places inside;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+// What is left of a polygon on the inner side of a line (Sutherland, Hodgman 1974), into `inside`.
+void clip(const Places& polygon, const Vector3d& from, const Vector3d& inner, Places& inside) {
+  inside.clear();
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d &a = polygon[i], &b = polygon[i + 1 == count ? 0 : i + 1];
     const double da = inner.dot(a - from), db = inner.dot(b - from);
     if (da >= 0.0) inside.push_back(a);
     if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0)) {
       inside.push_back(a + (b - a) * (da / (da - db)));
     }
   }
-  return inside;
 }
 
 }  // namespace
@@ -107,10 +108,12 @@ std::optional<Vector3d> common_place(const Plate& one, const Plate& other, doubl
   for (const Vector3d& p : one.corners) {
     if (std::abs(other.normal.dot(p - other.corners[0])) > near) return {};
   }
-  Places common = one.corners;
+  Places common = one.corners, inside;  // of all pairs of a sheet: a hand waits for it
+  inside.reserve(one.corners.size() + other.corners.size());
   for (std::size_t i = 0; i < other.corners.size() && common.size() > 2; ++i) {
     const Vector3d &a = other.corners[i], &b = other.corners[(i + 1) % other.corners.size()];
-    common = clipped(common, a, other.normal.cross(b - a).normalized());
+    clip(common, a, other.normal.cross(b - a).normalized(), inside);
+    std::swap(common, inside);
   }
   // Slivers along a side that both touch are rounding.
   const double size = (other.high - other.low).norm();
