@@ -54,7 +54,12 @@ LightsFile lights_file(const Calibration& calibration, Unit unit) {
   file.position_unit = unit;
   file.strengths_measured = calibration.strengths_measured;
   if (calibration.encoding_known) file.encoding = calibration.linear ? "linear" : "srgb";
-  for (const auto& reading : calibration.readings) file.spheres.push_back(reading.sphere);
+  file.highlights_px.resize(file.lights.size());
+  for (const auto& reading : calibration.readings) {
+    file.spheres.push_back(reading.sphere);
+    for (std::size_t k = 0; k < std::min(reading.highlights_px.size(), file.lights.size()); ++k)
+      file.highlights_px[k].push_back(reading.highlights_px[k]);
+  }
   return file;
 }
 

@@ -208,6 +208,7 @@ LightsFile matched_lights(LightsFile lights, const Photographs& photographs) {
     mode = std::move(matched);
   }
   lights.lights = matched_lights(lights.lights, photographs.file);
+  lights.highlights_px.clear();  // in pictures of another day
   return lights;
 }
 

@@ -114,6 +114,26 @@ Json json_of_sphere(const Sphere& sphere) {
   return json;
 }
 
+std::vector<Eigen::Vector2d> places_from(const Json& entries, const JsonObject& object) {
+  std::vector<Eigen::Vector2d> places;
+  if (!entries.is_array()) object.fail("highlights_px", "must hold a list for each light");
+  for (const Json& entry : entries) {
+    const bool pair =
+        entry.is_array() && entry.size() == 2 && entry[0].is_number() && entry[1].is_number();
+    if (!pair) object.fail("highlights_px", "must hold places [u, v]");
+    places.emplace_back(entry[0].get<double>(), entry[1].get<double>());
+  }
+  return places;
+}
+
+Json json_of_places(const std::vector<Eigen::Vector2d>& places) {
+  Json json = Json::array();
+  for (const auto& p : places) {
+    if (p.allFinite()) json.push_back({p.x(), p.y()});  // else the sphere does not show it
+  }
+  return json;
+}
+
 }  // namespace
 
 LightsFile read_lights(const std::filesystem::path& path) {
@@ -140,6 +160,14 @@ LightsFile read_lights(const std::filesystem::path& path) {
       file.spheres.push_back(sphere_from(JsonObject(spheres[i], entry(name, "spheres", i))));
     }
   }
+  if (object.has("highlights_px")) {
+    for (const Json& entries : object.list("highlights_px")) {
+      file.highlights_px.push_back(places_from(entries, object));
+    }
+    if (file.highlights_px.size() != file.lights.size()) {
+      object.fail("highlights_px", "must hold a list for each light");
+    }
+  }
   file.strengths_measured = object.flag("strengths_measured", true);
   file.encoding = object.text("encoding", "");
   if (!file.encoding.empty() && file.encoding != "linear" && file.encoding != "srgb") {
@@ -163,6 +191,8 @@ std::string lights_text(const LightsFile& file) {
   }
   json["spheres"] = Json::array();
   for (const Sphere& sphere : file.spheres) json["spheres"].push_back(json_of_sphere(sphere));
+  for (const auto& places : file.highlights_px)
+    json["highlights_px"].push_back(json_of_places(places));
   return json.dump(2) + "\n";
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/light_stack.h"
 #include "core/sphere.h"
 
@@ -16,6 +18,8 @@ struct LightsFile {
   std::vector<LightErrorMode> errors;  // how the lights may be wrong together; empty: not said
   Unit position_unit = Unit::mm;       // of near lights: px if they were found without a pitch
   bool strengths_measured = true;      // false: they are assumed equal, only directions were seen
+  std::vector<std::vector<Eigen::Vector2d>> highlights_px = {};  // of each light, where spheres
+                                                                 // show it: (u, v); empty: not said
   std::string encoding;  // of the pictures they were found in, "linear" or "srgb"; empty: not said
 };
 

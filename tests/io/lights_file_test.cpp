@@ -1,5 +1,7 @@
 #include "io/lights_file.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -53,6 +55,12 @@ LightsFile some_lights(Seed seed) {
     if (draw(6) < 0.5) sphere.diameter_mm = 38.0 * draw(7);
     file.spheres.push_back(sphere);
   }
+  if (uniform(seed, 5) < 0.5) {
+    file.highlights_px.resize(std::size_t(count));
+    for (int i = 0; i < count; ++i) {
+      if (i % 3 != 0) file.highlights_px[std::size_t(i)] = {{700.0 * uniform(seed, i, 9), 3.5}};
+    }
+  }
   file.encoding = uniform(seed, 2) < 0.5 ? "" : "srgb";
   return file;
 }
@@ -76,6 +84,7 @@ RC_GTEST_PROP(LightsFile, ReturnsFromItsTextWhatWasWritten, (std::uint64_t seed)
                                 [](const Light& light) { return light.position.has_value(); });
   RC_ASSERT(!near || again.position_unit == file.position_unit);
   RC_ASSERT(again.errors == file.errors);
+  RC_ASSERT(again.highlights_px == file.highlights_px);
   RC_ASSERT(again.spheres.size() == file.spheres.size());
   for (std::size_t i = 0; i < file.spheres.size(); ++i) {
     RC_ASSERT(again.spheres[i].kind == file.spheres[i].kind);
@@ -93,6 +102,27 @@ TEST(LightsFile, ReadsTheShortestFileThatAPersonWouldWrite) {
   EXPECT_EQ(file.lights[0].direction, Eigen::Vector3d::UnitZ());
   EXPECT_EQ(file.lights[0].direction_sigma, 0.0);
   EXPECT_TRUE(file.spheres.empty());
+}
+
+TEST(LightsFile, LeavesOutHighlightsThatNoSphereShows) {
+  LightsFile file;
+  file.lights.resize(2);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  file.highlights_px = {{{1.0, 2.0}, {nowhere, nowhere}}, {}};
+  const auto again = read_text(lights_text(file));
+  ASSERT_EQ(again.highlights_px.size(), 2u);
+  EXPECT_EQ(again.highlights_px[0], (std::vector<Eigen::Vector2d>{{1.0, 2.0}}));
+  for (const char* bad : {"[[[1, 2]]]", "[[1], []]", "[[[1, 2, 3]], []]", R"([[["a", 2]], []])"}) {
+    EXPECT_THAT(error_of([&] {
+                  read_text(R"({"hada":"lights/1","lights":[)"
+                            R"({"image":"a.png","direction":[0,0,1],"strength":1},)"
+                            R"({"image":"b.png","direction":[0,0,1],"strength":1}],)"
+                            R"("highlights_px":)" +
+                            std::string(bad) + "}");
+                }),
+                HasSubstr("highlights_px"))
+        << bad;
+  }
 }
 
 TEST(LightsFile, NamesTheKeyOfEveryFlaw) {

@@ -13,6 +13,8 @@ export class Circles {
     figure.append(this.svg);
     /** @type {Circle[]} */
     this.circles = [];
+    /** @type {number[][]} where the spheres show the light of this picture */
+    this.highlights = [];
     this.size = [1, 1];
     this.touched = false;
   }
@@ -21,6 +23,12 @@ export class Circles {
   frame(cols, rows) {
     this.size = [cols, rows];
     this.svg.setAttribute('viewBox', `0 0 ${cols} ${rows}`);
+    this.draw();
+  }
+
+  /** @param {number[][]} highlights places in the photograph */
+  point(highlights) {
+    this.highlights = highlights;
     this.draw();
   }
 
@@ -65,7 +73,7 @@ export class Circles {
       drawn('path', { d: `M${x - 4 * thin} ${y}h${8 * thin}M${x} ${y - 4 * thin}v${8 * thin}`, class: 'sphere', 'stroke-width': thin }));
       this.listen(group, circle);
       return group;
-    }));
+    }), ...this.highlights.map(([x, y]) => drawn('circle', { cx: x, cy: y, r: 4 * thin, class: 'highlight', 'stroke-width': 1.5 * thin })));
     if (held >= 0) /** @type {SVGElement | undefined} */ (this.svg.children[held])?.focus();
   }
 

@@ -15,6 +15,8 @@ class CaptureRoom {
     /** @type {Capture | null} */
     this.capture = null;
     this.picture = '';
+    /** @type {Record<string, number[][]>} of each picture, by the lights read last */
+    this.highlights = {};
     this.circles = new Circles(part('capture-large'), () => this.touched());
     this.wire();
   }
@@ -56,6 +58,7 @@ class CaptureRoom {
   /** @param {Capture} chosen */
   open(chosen) {
     this.capture = chosen;
+    this.highlights = {};
     this.circles.show([]);
     this.touched();
     part('capture-says').replaceChildren();
@@ -87,6 +90,7 @@ class CaptureRoom {
     part('capture-large').style.aspectRatio = `${cols} / ${rows}`;
     part('capture-large').style.setProperty('--aspect', String(cols / rows));
     this.circles.frame(cols, rows);
+    this.circles.point(this.highlights[picture] ?? []);
     part('room-capture').dataset.shown = picture;
   }
 
@@ -96,6 +100,9 @@ class CaptureRoom {
     await work('calibrate', { capture: this.capture?.name ?? '', ...boxes });
     const lights = await get('job/lights');
     this.circles.show(lights.file.spheres.map((/** @type {any} */ s) => ({ x: s.center_px[0], y: s.center_px[1], r: s.radius_px })));
+    this.highlights = Object.fromEntries(lights.file.lights.map((/** @type {any} */ light, /** @type {number} */ i) =>
+      [light.image, lights.file.highlights_px?.[i] ?? []]));
+    this.circles.point(this.highlights[this.picture] ?? []);
     this.touched();
     part('capture-lights').innerHTML = lights.plot; // drawn by the report of the program, of numbers alone
     part('capture-lights').append(make('p', { class: 'quiet' }, `Where the lights stand, from above: overhead in the middle, the horizon at the rim. Discs: `

@@ -49,6 +49,7 @@ try {
   // The middle of the sphere lies 45 mm right of the middle of 360 pixels of 0.4 mm, its radius is 18 mm.
   expect(off(found, [180 + 45 / 0.4, 110, 18 / 0.4]) < 1, `the sphere is where it was put: ${found}`);
   expect((await page.locator('#capture-lights svg circle').count()) > 4, 'the lights are drawn');
+  expect((await page.locator('#capture-large .highlight').count()) === 1, 'the sphere shows the light of this picture');
   const box = await page.locator('#capture-large .disc').boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
