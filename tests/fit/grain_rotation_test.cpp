@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/grain_turn.h"
+#include "tests/fit/noisy.h"
 
 namespace hada {
 namespace {
@@ -16,19 +17,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 Grid<float> noisy_grain(const std::string& sequence, double angle_rad) {
   auto block = crop(forged_block({.sequence = sequence}, {1024, 2048}, 4), 200, 500, 320, 480);
   if (angle_rad != 0.0) block = turned_back(block, -angle_rad);
-  double sum = 0.0, squares = 0.0;
-  for (const float g : block) {
-    sum += g;
-    squares += double(g) * g;
-  }
-  const auto n = double(block.size());
-  const double deviation = std::sqrt(squares / n - sum * sum / (n * n));
-  for (int row = 0; row < block.rows(); ++row) {
-    for (int col = 0; col < block.cols(); ++col)
-      block(row, col) =
-          float((block(row, col) - sum / n) / deviation + 0.1 * gaussian(5, row, col));
-  }
-  return block;
+  return noisy(std::move(block), 0.1, 5);
 }
 
 GrainAngle found(const std::string& sequence, double angle_rad, double start_rad) {

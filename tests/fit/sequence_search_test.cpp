@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "synth/forged.h"
+#include "tests/fit/noisy.h"
 
 namespace hada {
 namespace {
@@ -15,20 +16,8 @@ const std::string truth = "CRCCRC";
 
 GrainSpectrum spectrum_of_steel() {
   auto block = crop(forged_block({.sequence = truth}, {1024, 2048}, 6), 300, 400, 256, 384);
-  double sum = 0.0, squares = 0.0;
-  for (const float g : block) {
-    sum += g;
-    squares += double(g) * g;
-  }
-  const auto n = double(block.size());
-  const double deviation = std::sqrt(squares / n - sum * sum / (n * n));
   // Below a noise of 1 % no spectrum is believed; the fit adds it as well.
-  for (int row = 0; row < block.rows(); ++row) {
-    for (int col = 0; col < block.cols(); ++col)
-      block(row, col) =
-          float((block(row, col) - sum / n) / deviation + 0.01 * gaussian(8, row, col));
-  }
-  return grain_spectrum(block);
+  return grain_spectrum(noisy(std::move(block), 0.01, 8));
 }
 
 TEST(SequenceSearch, PutsTheTrueSequenceFirst) {
