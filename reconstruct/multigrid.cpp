@@ -177,11 +177,11 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     const bool renew = solution.cycles % renew_every == 0;
     const bool slowly = solution.cycles > 2 && rate > slow;
     const bool end = (!first && solution.error < tolerance) || solution.cycles == max_cycles;
-    if (renew || end || slowly) {
+    if (slowly || (renew && !end)) {
       add_rounding(system, magic_, stages);
       add_subtraction(system, stages);
-      add_to_total(system, solution.value.data(), first, stages);
     }
+    if (renew || end || slowly) add_to_total(system, solution.value.data(), first, stages);
     if (end || slowly) {
       run(0, stages);
       if (!end) conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);

@@ -29,7 +29,7 @@ class Multigrid {
   explicit Multigrid(PixelLevel finest);
 
   const PixelLevel& finest() const { return levels_.front(); }
-  /// Set before `solve`, laid out as the finest level; `solve` leaves a residual in it.
+  /// Set before `solve`, which changes it; laid out as the finest level.
   Cells& right() { return levels_.front().right; }
 
   /// The right-hand side consists of multiples of `step`: the residual is then kept without

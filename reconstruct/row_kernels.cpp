@@ -130,15 +130,15 @@ HADA_CLONES_AVX512 void deal(int n, const std::uint8_t* row, std::uint8_t* __res
 
 HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
                                    const std::uint8_t* below, std::uint8_t* __restrict codes) {
+  // Without a branch, so that many pixels are looked at together.
+  const auto chosen = [](bool yes, std::uint8_t value) { return std::uint8_t(-int(yes) & value); };
   for (int i = 0; i < n; ++i) {
-    const std::uint8_t count = std::uint8_t((above[i] ? 1 : 0) + (below[i] ? 1 : 0) +
-                                            (here[i - 1] ? 1 : 0) + (here[i + 1] ? 1 : 0));
-    const std::uint8_t code = count == 1   ? edge_code(1)
-                              : count == 2 ? edge_code(2)
-                              : count == 3 ? edge_code(3)
-                              : count == 4 ? edge_code(4)
-                                           : edge_code(0);
-    codes[i] = here[i] ? code : std::uint8_t(0);
+    const std::uint8_t count =
+        std::uint8_t((above[i] != 0) + (below[i] != 0) + (here[i - 1] != 0) + (here[i + 1] != 0));
+    const std::uint8_t code =
+        std::uint8_t((chosen(count == 1, edge_code(1)) | chosen(count == 2, edge_code(2))) |
+                     (chosen(count == 3, edge_code(3)) | chosen(count == 4, edge_code(4))));
+    codes[i] = chosen(here[i] != 0, code);
   }
 }
 
@@ -255,7 +255,8 @@ HADA_CLONES_AVX512 void rise_across(int n, const float* slopes, const std::uint8
                                     float magic, float* __restrict rise) {
   for (int i = 0; i < n; ++i) {
     const float mean = (0.5f * (slopes[2 * i] + slopes[2 * i + 2]) + magic) - magic;
-    rise[i] = mask[i] && mask[i + 1] ? mean : 0.0f;
+    const bool both = (mask[i] != 0) & (mask[i + 1] != 0);
+    rise[i] = both ? mean : 0.0f;
   }
 }
 
@@ -264,7 +265,8 @@ HADA_CLONES_AVX512 void rise_down(int n, const float* slopes, const float* slope
                                   float magic, float* __restrict rise) {
   for (int i = 0; i < n; ++i) {
     const float mean = (-0.5f * (slopes[2 * i + 1] + slopes_below[2 * i + 1]) + magic) - magic;
-    rise[i] = mask[i] && mask_below[i] ? mean : 0.0f;
+    const bool both = (mask[i] != 0) & (mask_below[i] != 0);
+    rise[i] = both ? mean : 0.0f;
   }
 }
 
