@@ -9,9 +9,18 @@ namespace hada {
 namespace {
 
 constexpr double faint_share = 0.25;    // of the strong slopes nearby
-constexpr double above_noise = 4.0;     // deviations
+constexpr double above_noise = 3.0;     // deviations
+constexpr std::ptrdiff_t nearby = 6;    // slopes on each side
 constexpr double reach_share = 0.2;     // of the distance between rings
 constexpr double least_reach_px = 2.0;  // an edge may move from sector to sector
+
+/// Those of `values` that are nearest to number `k`.
+std::vector<double> values_around(const std::vector<double>& values, std::size_t k) {
+  const auto count = std::ptrdiff_t(values.size()), at = std::ptrdiff_t(k);
+  const auto from = std::clamp<std::ptrdiff_t>(at - nearby, 0, count);
+  const auto to = std::clamp<std::ptrdiff_t>(at + nearby + 1, from, count);
+  return {values.begin() + from, values.begin() + to};
+}
 
 std::vector<RingEdge> edges_of(const Unrolled& flat, int sector, double pitch, double blur_px) {
   const double step_px = flat.step / pitch;
@@ -20,6 +29,7 @@ std::vector<RingEdge> edges_of(const Unrolled& flat, int sector, double pitch, d
   std::vector<double> falling, rising;
   for (std::size_t i = 1; i + 1 < slope.size(); ++i) {
     const double here = slope[i], before = slope[i - 1], after = slope[i + 1];
+    if (here < 0.0 && here <= before && here < after) falling.push_back(-here);
     if (!(here >= before) || !(here > after)) continue;  // not a maximum, or not finite
     if (here <= 0.0) continue;
     const double curvature = before - 2.0 * here + after;
@@ -27,17 +37,17 @@ std::vector<RingEdge> edges_of(const Unrolled& flat, int sector, double pitch, d
     edges.push_back({sector, flat.rho(double(i) + shift), here});
     rising.push_back(here);
   }
-  if (edges.size() < 2) return edges;
-  // Latewood darkens slowly, so that what falls steeply is mostly noise.
-  for (std::size_t i = 1; i + 1 < slope.size(); ++i) {
-    if (slope[i] < 0.0 && slope[i] <= slope[i - 1] && slope[i] < slope[i + 1])
-      falling.push_back(-slope[i]);
+  std::vector<RingEdge> clear;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    // Latewood darkens slowly, so that what falls steeply is mostly noise.
+    const auto noisy = values_around(falling, k);
+    const double noise = noisy.empty() ? 0.0 : median(noisy) / 1.5;
+    const double strong = quantile(values_around(rising, k), 0.9);
+    const double least =
+        std::max(faint_share * strong, std::min(above_noise * noise, 0.5 * strong));
+    if (edges[k].strength >= least) clear.push_back(edges[k]);
   }
-  const double noise = falling.empty() ? 0.0 : median(falling) / 1.5;
-  const double least = std::max(faint_share * quantile(rising, 0.9),
-                                std::min(above_noise * noise, 0.5 * quantile(rising, 0.9)));
-  std::erase_if(edges, [&](const RingEdge& edge) { return edge.strength < least; });
-  return edges;
+  return clear;
 }
 
 /// Half the way to the neighbours that are further than a few pixels: how far rings lie apart.

@@ -14,7 +14,9 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-constexpr int fewest_rays = 3;  // that a median is taken of
+constexpr int fewest_rays = 3;      // that a median is taken of
+constexpr double joined_px = 16.0;  // arc that a sector sees at least
+constexpr int most_joined = 8;      // parts of a turn: no more than one on each side
 
 /// `value_at`, for the loops of this file.
 inline float sampled(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
@@ -85,6 +87,36 @@ View view_of(const Mask& mask, const Extent& extent, const GrowthFrame& frame) {
   return view;
 }
 
+/// Near the pith a sector is a pixel or two wide and as noisy as these: there, the mean of
+/// neighbours.
+void join_narrow_sectors(Unrolled& flat, double pitch) {
+  const int sectors = flat.values.rows();
+  const auto at = [&](const std::vector<float>& column, int s) {
+    if (flat.whole_turn) return column[std::size_t((s + sectors) % sectors)];
+    return s < 0 || s >= sectors ? nothing : column[std::size_t(s)];
+  };
+  std::vector<float> column(static_cast<std::size_t>(sectors));
+  for (int col = 0; col < flat.values.cols(); ++col) {
+    const double arc_px = std::max(flat.rho(col) * flat.sector_rad / pitch, 0.01);
+    const int reach =
+        std::min(int(std::lround(0.5 * (joined_px / arc_px - 1.0))), sectors / most_joined);
+    if (reach < 1) return;
+    for (int s = 0; s < sectors; ++s) column[std::size_t(s)] = flat.values(s, col);
+    for (int s = 0; s < sectors; ++s) {
+      float sum = 0.0f, count = 0.0f;
+      for (int k = -reach; k <= reach; ++k) {
+        const float value = at(column, s + k);
+        if (value == value) {
+          sum += value;
+          count += 1.0f;
+        }
+      }
+      if (count > 0.0f && column[std::size_t(s)] == column[std::size_t(s)])
+        flat.values(s, col) = sum / count;
+    }
+  }
+}
+
 }  // namespace
 
 float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
@@ -136,6 +168,7 @@ Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent
     std::vector<int> count(std::size_t(cols), 0);
     for (int s = begin; s < end; ++s) lay(s, seen, count);
   });
+  join_narrow_sectors(flat, extent.pitch);
   return flat;
 }
 

@@ -47,7 +47,8 @@ struct UnrollOptions {
 /// `map` at `pixel` (row, col), bilinear; NaN where a neighbour is outside the mask.
 float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel);
 
-/// The sectors that see the picture; the median over rays takes away pores and wood rays.
+/// The sectors that see the picture; the median over rays takes away pores and wood rays. Near the
+/// pith, where sectors are narrow, neighbours are averaged until they see 16 px.
 ///
 /// throws  Error if the frame sees no picture
 Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent,

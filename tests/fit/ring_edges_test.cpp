@@ -53,6 +53,19 @@ TEST(RingEdges, AreWhereDarkEnds) {
   }
 }
 
+TEST(RingEdges, AreFaintBesideThoseNearbyOnly) {
+  // The wood inside has a tenth of the contrast of that outside.
+  std::vector<double> ends;
+  for (int k = 1; k <= 28; ++k) ends.push_back(5.0 * k);
+  auto flat = radius_with_edges(ends, 1.0);
+  for (int col = 0; col < 150; ++col) flat.values(0, col) *= 0.1f;
+  const auto edges = ring_edges(flat, 1.0);
+  // Six edges on both sides of an edge count; of the 14 inside, half see few of those outside.
+  const auto inside = std::count_if(edges[0].begin(), edges[0].end(),
+                                    [](const RingEdge& edge) { return edge.rho < 75.0; });
+  EXPECT_GE(inside, 7);
+}
+
 TEST(RingChains, FollowAnEdgeFromSectorToSector) {
   std::vector<std::vector<RingEdge>> edges;
   for (int s = 0; s < 20; ++s) {
