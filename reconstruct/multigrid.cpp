@@ -19,10 +19,18 @@ constexpr std::size_t coarsest_nodes = 1000;  // factorised in a millisecond, so
 // part its cells; where they are given weights, parting them early halves the cycles.
 constexpr float least_strength = 0.1f;
 constexpr float least_strength_weighted = 0.2f;
-constexpr int sweeps_down = 2;
-constexpr int sweeps_up = 1;
-constexpr int renew_every = 2;  // cycles between two residuals formed anew
-constexpr double slow = 0.4;    // rate of cycles above which conjugate gradients pay
+// One sweep on the way down and one on the way up, each over-relaxed in the half that nothing else
+// asks to be exact: about as good as one sweep more.
+constexpr float over = 1.2f;
+constexpr Relaxation before_restriction{over, 1.0f};
+constexpr Relaxation after_correction{1.0f, over};
+// The second and third levels are visited twice: what they leave would be half of all that a cycle
+// leaves, and they are small. Not within conjugate gradients: where the lattices are coarsened
+// badly, a second visit can undo more than it does.
+constexpr std::size_t last_visited_twice = 2;
+constexpr double least_rate = 0.1;       // of cycles, in the long run: the first ones do better
+constexpr double least_step_rate = 0.3;  // of steps of conjugate gradients
+constexpr double slow = 0.4;             // rate of cycles above which conjugate gradients pay
 // Where cycles are slow, and with weights, what is left is seen less well.
 constexpr double careful_tolerance = 1e-5;
 
@@ -39,16 +47,6 @@ void clear(const PixelLevel& level, Cells& values) {
     std::fill_n(values.begin() + level.at.start(row - 1, 0), level.at.stride(), 0.0f);
   });
   clear_extras(level, values);
-}
-
-void add_sweeps(const System& system, int count, bool from_zero, std::vector<Stage>& stages) {
-  for (int i = 0; i < count; ++i) {
-    if (i == 0 && from_zero) {
-      add_sweep_from_zero(system, stages);
-    } else {
-      add_sweep(system, stages);
-    }
-  }
 }
 
 // The sum over all rows of `work(row)`, formed in row order.
@@ -105,7 +103,11 @@ void Multigrid::go_down(std::size_t index, bool from_zero) {
   {
     const PulledByExtras pulled(level, level.value, level.right);
     std::vector<Stage> stages;
-    add_sweeps(system_of(level), sweeps_down, from_zero, stages);
+    if (from_zero) {
+      add_sweep_from_zero(system_of(level), before_restriction.red, stages);
+    } else {
+      add_sweep(system_of(level), before_restriction, stages);
+    }
     add_restriction(system_of(level), coarse, stages);
     run(index, stages);
   }
@@ -120,7 +122,7 @@ void Multigrid::go_up(std::size_t index) {
     const PulledByExtras pulled(level, level.value, level.right);
     std::vector<Stage> stages;
     add_correction(system_of(level), coarse, stages);
-    add_sweeps(system_of(level), sweeps_up, false, stages);
+    add_sweep(system_of(level), after_correction, stages);
     run(index, stages);
   }
   relax_extras(level, level.value, level.right, false);
@@ -128,9 +130,12 @@ void Multigrid::go_up(std::size_t index) {
 
 void Multigrid::cycle(std::size_t index, bool from_zero) {
   if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
-  go_down(index, from_zero);
-  cycle(index + 1, true);
-  go_up(index);
+  const int visits = index > 0 && index <= visited_twice_ ? 2 : 1;
+  for (int visit = 0; visit < visits; ++visit) {
+    go_down(index, from_zero && visit == 0);
+    cycle(index + 1, true);
+    go_up(index);
+  }
 }
 
 // The solution of a level from nothing but its right-hand side.
@@ -158,12 +163,9 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     solution.value = level.value;
     return solution;
   }
+  visited_twice_ = last_visited_twice;
   const System system = system_of(level);
   solution.value = Cells(level.value.size(), level.memory());
-  if (!level.unit()) {
-    conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);
-    return solution;
-  }
   restrict_right(level, levels_[1]);
   full_cycle(1);
   clear(level, level.value);
@@ -172,39 +174,51 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   while (true) {
     std::vector<Stage> stages;
     add_correction(system, levels_[1], stages);
-    add_sweeps(system, sweeps_up, false, stages);
+    add_sweep(system, after_correction, stages);
     const bool first = solution.cycles == 0;
-    const bool renew = solution.cycles % renew_every == 0;
-    const bool slowly = solution.cycles > 2 && rate > slow;
+    const bool slowly = solution.cycles > 1 && rate > slow;
     const bool end = (!first && solution.error < tolerance) || solution.cycles == max_cycles;
-    if (slowly || (renew && !end)) {
+    if (!end) {
       add_rounding(system, magic_, stages);
       add_subtraction(system, stages);
     }
-    if (renew || end || slowly) add_to_total(system, solution.value.data(), first, stages);
+    add_to_total(system, solution.value.data(), first, stages);
     if (end || slowly) {
       run(0, stages);
-      if (!end) conjugate_steps(std::min(tolerance, careful_tolerance), max_cycles, done, solution);
+      const auto take = [&](const Cells& step) { add_times(level.at, 1.0, step, solution.value); };
+      if (!end) conjugate_steps(tolerance, max_cycles, take, done, solution);
       return solution;
     }
-    add_sweeps(system, sweeps_down, renew, stages);
+    add_sweep_from_zero(system, before_restriction.red, stages);
     add_restriction(system, levels_[1], stages);
     clear_extras(levels_[1], levels_[1].right);
     run(0, stages);
     cycle(1, true);
     ++solution.cycles;
     const double size = coarse_size();
-    rate = last > 0.0 ? std::min(size / last, 0.9) : 0.9;
+    rate = last > 0.0 ? std::clamp(size / last, least_rate, 0.9) : 0.9;
     last = size;
     solution.error = size * rate / (1.0 - rate);  // what all further cycles would add
     if (done) done(solution.cycles, solution.error);
   }
 }
 
+Multigrid::Solution Multigrid::solve_in_steps(double tolerance, int max_cycles,
+                                              const TakeStep& take, const CycleDone& done) {
+  Solution solution;
+  if (levels_.size() > 1) {
+    conjugate_steps(tolerance, max_cycles, take, done, solution);
+    return solution;
+  }
+  coarsest_->solve(levels_.front());
+  take(levels_.front().value);
+  return solution;
+}
+
 // Flexible conjugate gradients: every cycle gives a direction, which is made independent of the
 // last ones as far as the energy goes, and of which the best multiple is taken.
-void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDone& done,
-                                Solution& solution) {
+void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep& take,
+                                const CycleDone& done, Solution& solution) {
   struct Direction {
     Cells step;
     Cells image;  // A step
@@ -212,8 +226,11 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDon
   };
   constexpr std::size_t remembered = 3;
   PixelLevel& level = levels_.front();
+  visited_twice_ = 0;
   std::vector<Direction> directions;
+  const double careful = std::min(tolerance, careful_tolerance);
   double last = 0.0;
+  double last_rate = 0.9;
   while (solution.cycles < max_cycles) {
     const Cells residual = level.right;
     if (solution.cycles == 0) {
@@ -236,15 +253,20 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDon
     direction.energy = dot(level.at, direction.step, direction.image);
     if (!(direction.energy > 0.0) || !std::isfinite(direction.energy)) return;
     const double length = dot(level.at, residual, direction.step) / direction.energy;
-    add_times(level.at, length, direction.step, solution.value);
     level.right = residual;
     add_times(level.at, -length, direction.image, level.right);
+    Cells step(level.nodes(), level.memory());
+    add_times(level.at, length, direction.step, step);
+    take(step);
     const double size =
         std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
-    solution.error = 2.0 * std::max(size, last);  // steps do not shrink evenly
+    const double rate = last > 0.0 ? std::clamp(size / last, least_step_rate, 0.9) : 0.9;
+    const double slower = std::max(rate, last_rate);  // steps do not shrink evenly
+    solution.error = size * slower / (1.0 - slower);
     last = size;
+    last_rate = rate;
     if (done) done(solution.cycles, solution.error);
-    if (solution.error < tolerance) return;
+    if (solution.error < careful) return;
     if (directions.size() == remembered) directions.erase(directions.begin());
     directions.push_back(std::move(direction));
   }

@@ -44,14 +44,33 @@ HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, c
   }
 }
 
-HADA_CLONES_AVX512 void relax_from_zero(int n, float* __restrict x, const float* right,
-                                        const std::uint8_t* code) {
-  for (int i = 0; i < n; ++i) x[i] = right[i] * inverse_of(code[i]);
+HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
+                                   const float* right, const std::uint8_t* code) {
+  const auto [up, down, left, beyond] = value;
+  for (int i = 0; i < n; ++i) {
+    const float sum = right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]));
+    x[i] += factor * (sum * inverse_of(code[i]) - x[i]);
+  }
 }
 
-HADA_CLONES_AVX512 void relax_from_zero(int n, float* __restrict x, const float* right,
-                                        const float* inverse) {
-  for (int i = 0; i < n; ++i) x[i] = right[i] * inverse[i];
+HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
+                                   const Around& weight, const float* right, const float* inverse) {
+  const auto [up, down, left, beyond] = value;
+  const auto [wu, wd, wl, wr] = weight;
+  for (int i = 0; i < n; ++i) {
+    const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
+    x[i] += factor * ((right[i] + sum) * inverse[i] - x[i]);
+  }
+}
+
+HADA_CLONES_AVX512 void relax_from_zero(int n, float factor, float* __restrict x,
+                                        const float* right, const std::uint8_t* code) {
+  for (int i = 0; i < n; ++i) x[i] = factor * (right[i] * inverse_of(code[i]));
+}
+
+HADA_CLONES_AVX512 void relax_from_zero(int n, float factor, float* __restrict x,
+                                        const float* right, const float* inverse) {
+  for (int i = 0; i < n; ++i) x[i] = factor * (right[i] * inverse[i]);
 }
 
 HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, const Around& value,

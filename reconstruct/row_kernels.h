@@ -44,9 +44,17 @@ void relax(int n, float* __restrict x, const Around& value, const float* right,
 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
            const float* right, const float* inverse);
 
-/// The same where all neighbours are 0.
-void relax_from_zero(int n, float* __restrict x, const float* right, const std::uint8_t* code);
-void relax_from_zero(int n, float* __restrict x, const float* right, const float* inverse);
+/// x += factor * (what `relax` would make of it - x): successive over-relaxation.
+void over_relax(int n, float factor, float* __restrict x, const Around& value, const float* right,
+                const std::uint8_t* code);
+void over_relax(int n, float factor, float* __restrict x, const Around& value, const Around& weight,
+                const float* right, const float* inverse);
+
+/// The same where x and all neighbours are 0.
+void relax_from_zero(int n, float factor, float* __restrict x, const float* right,
+                     const std::uint8_t* code);
+void relax_from_zero(int n, float factor, float* __restrict x, const float* right,
+                     const float* inverse);
 
 /// out = right - A x. With codes as good as x is rounded: for corrections, which are small.
 void residual(int n, float* __restrict out, const float* x, const Around& value, const float* right,

@@ -9,12 +9,6 @@
 #include "reconstruct/row_kernels.h"
 
 namespace hada {
-namespace {
-
-constexpr int cycles_at_a_time = 12;
-
-}  // namespace
-
 EdgeRises rises_of(const SlopeMap& slopes, const Mask& mask) {
   const Grid<float> none(mask.rows(), mask.cols(), 0.0f, slopes.memory());
   EdgeRises rises{none, none};
@@ -145,31 +139,22 @@ Grid<float> SlopeSolver::levelled(const Cells& value) const {
 }
 
 // Where weights differ, a pull that hardly counts at one pixel decides over a plate that hangs on
-// weak edges alone: single precision loses it. So the residual is found in double precision, a
-// correction in single, until that is small.
+// weak edges alone: single precision loses it. So every step towards the solution is found in
+// single precision, and what it leaves in double.
 Grid<float> SlopeSolver::height(const EdgeRises& rises, double tolerance, int max_cycles,
                                 const CycleDone& done) {
   assert(weights_);
-  cycles_ = 0;
   const Dealt& at = multigrid_.finest().at;
   Grid<double> height(at.rows, at.cols, 0.0, mask_.memory());
-  while (cycles_ < max_cycles) {
+  set_weighted_right(rises, height);
+  const auto take = [&](const Cells& step) {
+    const Grid<float> part = levelled(step);
+    for_each_index(at.rows, [&](int row) {
+      for (int col = 0; col < at.cols; ++col) height(row, col) += double(part(row, col));
+    });
     set_weighted_right(rises, height);
-    const auto solution = multigrid_.solve(
-        tolerance, std::min(max_cycles - cycles_, cycles_at_a_time), [&](int cycles, double error) {
-          if (done) done(cycles_ + cycles, error);
-        });
-    cycles_ += solution.cycles;
-    const Grid<float> part = levelled(solution.value);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      height[i] += part[i];
-      sum += double(part[i]) * part[i];
-    }
-    const double pixels = double(part.size()) - regions_.size[0];
-    // A correction is good to a few digits at least, and the next one would be as much smaller.
-    if (0.1 * std::sqrt(sum / pixels) < tolerance || solution.cycles == 0) break;
-  }
+  };
+  cycles_ = multigrid_.solve_in_steps(tolerance, max_cycles, take, done).cycles;
   Grid<float> result(at.rows, at.cols, 0.0f, mask_.memory());
   std::copy(height.begin(), height.end(), result.begin());
   return result;

@@ -16,28 +16,33 @@ int parity_of(int row, int colour) {
   return (row + colour) % 2;
 }
 
-void relax(const System& s, int row, int colour) {
+void relax(const System& s, int row, int colour, float factor) {
   const PixelLevel& level = s.level;
   const int parity = parity_of(row, colour);
+  const int n = level.at.block;
   const auto here = level.at.start(row, parity);
   const auto values = values_around(level, s.x, row, parity);
+  float* const x = s.x + here;
+  const float* const right = s.right + here;
   if (level.unit()) {
-    row_kernels::relax(level.at.block, s.x + here, values, s.right + here,
-                       level.code.data() + here);
-  } else {
-    row_kernels::relax(level.at.block, s.x + here, values, weights_around(level, row, parity),
-                       s.right + here, level.inverse.data() + here);
+    const auto* const code = level.code.data() + here;
+    if (factor == 1.0f) return row_kernels::relax(n, x, values, right, code);
+    return row_kernels::over_relax(n, factor, x, values, right, code);
   }
+  const auto weights = weights_around(level, row, parity);
+  const float* const inverse = level.inverse.data() + here;
+  if (factor == 1.0f) return row_kernels::relax(n, x, values, weights, right, inverse);
+  return row_kernels::over_relax(n, factor, x, values, weights, right, inverse);
 }
 
-void relax_from_zero(const System& s, int row, int colour) {
+void relax_from_zero(const System& s, int row, int colour, float factor) {
   const PixelLevel& level = s.level;
   const auto here = level.at.start(row, parity_of(row, colour));
   if (level.unit()) {
-    row_kernels::relax_from_zero(level.at.block, s.x + here, s.right + here,
+    row_kernels::relax_from_zero(level.at.block, factor, s.x + here, s.right + here,
                                  level.code.data() + here);
   } else {
-    row_kernels::relax_from_zero(level.at.block, s.x + here, s.right + here,
+    row_kernels::relax_from_zero(level.at.block, factor, s.x + here, s.right + here,
                                  level.inverse.data() + here);
   }
 }
@@ -140,15 +145,14 @@ void restrict_red(const System& s, int row, PixelLevel& coarse) {
 
 }  // namespace
 
-void add_sweep(const System& s, std::vector<Stage>& stages) {
-  for (const int colour : {red, black}) {
-    stages.push_back({1, [s, colour](int row) { relax(s, row, colour); }});
-  }
+void add_sweep(const System& s, const Relaxation& factors, std::vector<Stage>& stages) {
+  stages.push_back({1, [s, factors](int row) { relax(s, row, red, factors.red); }});
+  stages.push_back({1, [s, factors](int row) { relax(s, row, black, factors.black); }});
 }
 
-void add_sweep_from_zero(const System& s, std::vector<Stage>& stages) {
-  stages.push_back({1, [s](int row) { relax_from_zero(s, row, red); }});
-  stages.push_back({1, [s](int row) { relax(s, row, black); }});
+void add_sweep_from_zero(const System& s, float red_factor, std::vector<Stage>& stages) {
+  stages.push_back({1, [s, red_factor](int row) { relax_from_zero(s, row, red, red_factor); }});
+  stages.push_back({1, [s](int row) { relax(s, row, black, 1.0f); }});
 }
 
 void add_correction(const System& s, const PixelLevel& coarse, std::vector<Stage>& stages) {

@@ -15,17 +15,24 @@ struct System {
   float* right;
 };
 
-/// One sweep of Gauss-Seidel, red cells first.
-void add_sweep(const System& system, std::vector<Stage>& stages);
-/// The same where x is 0; what x holds is not read.
-void add_sweep_from_zero(const System& system, std::vector<Stage>& stages);
+/// How far cells move in a sweep, as a multiple of the way to where their equations hold.
+struct Relaxation {
+  float red = 1.0f;
+  float black = 1.0f;
+};
+
+/// One sweep of successive over-relaxation, red cells first; of Gauss-Seidel where factors are 1.
+void add_sweep(const System& system, const Relaxation& factors, std::vector<Stage>& stages);
+/// The same where x is 0; what x holds is not read. Black cells are not over-relaxed.
+void add_sweep_from_zero(const System& system, float red_factor, std::vector<Stage>& stages);
 
 /// x += the correction of the coarser level, at black cells: a sweep must follow, and that sets the
-/// red ones from the black ones alone.
+/// red ones from the black ones alone, with a factor of 1.
 void add_correction(const System& system, const PixelLevel& coarse, std::vector<Stage>& stages);
 
-/// right of the coarser level = the residual, added up over blocks. A sweep must be before it: then
-/// the residual of the black cells is 0, and only that of the red ones is found.
+/// right of the coarser level = the residual, added up over blocks. A sweep that does not
+/// over-relax the black cells must be before it: then their residual is 0, and only that of the red
+/// ones is found.
 void add_restriction(const System& system, PixelLevel& coarse, std::vector<Stage>& stages);
 
 /// x is rounded to a multiple of magic / (3 * 2^22), at all cells.

@@ -21,6 +21,21 @@ TEST(RowKernels, RelaxToTheMeanOfTheNeighboursWhateverTheirNumber) {
   }
 }
 
+TEST(RowKernels, OverRelaxBeyondWhereTheEquationHolds) {
+  constexpr int n = 20;
+  const std::vector<float> one(n, 1.0f), quarter(n, 0.25f), eight(n, 8.0f);
+  const std::vector<std::uint8_t> code(n, row_kernels::edge_code(4));
+  const row_kernels::Around around{one.data(), one.data(), one.data(), one.data()};
+  std::vector<float> x(n, 2.0f), weighted(n, 2.0f), fresh(n, 9.0f);
+  // The equation holds at (8 + 4) / 4 = 3: one beyond 2, half of that further with a factor of 1.5.
+  row_kernels::over_relax(n, 1.5f, x.data(), around, eight.data(), code.data());
+  row_kernels::over_relax(n, 1.5f, weighted.data(), around, around, eight.data(), quarter.data());
+  row_kernels::relax_from_zero(n, 1.5f, fresh.data(), eight.data(), code.data());
+  EXPECT_EQ(x, std::vector<float>(n, 3.5f));
+  EXPECT_EQ(weighted, x);
+  EXPECT_EQ(fresh, std::vector<float>(n, 3.0f));
+}
+
 TEST(RowKernels, AgreeOnResidualsWithAndWithoutWeights) {
   constexpr int n = 20;
   std::vector<float> up(n), down(n), left(n), right(n), x(n), rhs(n);
