@@ -178,6 +178,9 @@ void add_modelling(Commands& commands) {
                         "it is known (default: 0)")
             ->type_name("PX")
             ->check(CLI::Range(0.0, 10.0));
+        command.add_flag("--ridges", a.ridges,
+                         "of wrinkles: find skew, tail and sharpness too, which the spectrum does "
+                         "not know (takes seconds)");
         command.add_option("--face", a.face,
                            "of wood: picture of the tangential face, stem upright, same pitch");
         command

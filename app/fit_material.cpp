@@ -9,10 +9,10 @@ namespace hada {
 namespace {
 
 // One overload per material: the only place where its fit is called.
-Fit<Wrinkle<>> fit_like(const Wrinkle<>&, const Surface& surface,
-                        const FitMaterialOptions& options) {
+WrinkleFit fit_like(const Wrinkle<>&, const Surface& surface, const FitMaterialOptions& options) {
   return fit_wrinkle(surface, {.components = options.components,
                                .lens_blur_px = options.lens_blur_px,
+                               .ridges = options.ridges,
                                .progress = options.progress});
 }
 
@@ -37,6 +37,16 @@ ForgedFit fit_like(const Forged<>&, const Surface& surface, const FitMaterialOpt
 // What only some fits have to tell.
 template <class M>
 void add_findings(MaterialFile&, const Fit<M>&) {}
+
+void add_findings(MaterialFile& file, const WrinkleFit& fit) {
+  const auto side = [](double chi_square, const RidgeEvidence::Histograms& apart) {
+    return MaterialFile::BeyondSpectrum::Side{chi_square, apart.height, apart.slope,
+                                              apart.curvature};
+  };
+  if (!(fit.ridges.departure > 0.0)) return;
+  file.beyond_spectrum = {side(fit.ridges.departure, fit.ridges.gaussian),
+                          side(fit.ridges.left, fit.ridges.ridged)};
+}
 
 void add_findings(MaterialFile& file, const ForgedFit& fit) {
   for (const auto& one : fit.posterior) file.choices.push_back({one.sequences, one.probability});

@@ -12,6 +12,7 @@ namespace hada {
 struct FitMaterialOptions {
   int components = 0;         // of a material that has a list of them; 0: the data decide
   double lens_blur_px = 0.0;  // of wrinkles: what the lens is known to blur by, standard deviation
+  bool ridges = false;        // of wrinkles: whether skew, tail and sharpness are found too
   std::string view = "automatic";  // or, of wood, end-grain or face; of forged steel, block
   const Surface* face = nullptr;   // of wood: the tangential face of the block, beside its end
   ForgedFit* forged = nullptr;     // of forged steel: where all that was found is kept

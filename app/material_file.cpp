@@ -91,6 +91,33 @@ void read_record(const Json& json, JsonObject& object, MaterialFile& file) {
   }
 }
 
+MaterialFile::BeyondSpectrum::Side side_of(JsonObject object) {
+  MaterialFile::BeyondSpectrum::Side side;
+  side.chi_square = object.number("chi_square");
+  side.height = object.number("height", side.height);
+  side.slope = object.number("slope", side.slope);
+  side.curvature = object.number("curvature", side.curvature);
+  object.finish();
+  return side;
+}
+
+MaterialFile::BeyondSpectrum beyond_spectrum_of(JsonObject object) {
+  MaterialFile::BeyondSpectrum beyond{side_of(object.object("gaussian")),
+                                      side_of(object.object("ridged"))};
+  object.number("explained", 0.0);
+  object.finish();
+  return beyond;
+}
+
+Json json_of_side(const MaterialFile::BeyondSpectrum::Side& side) {
+  Json json = {{"chi_square", side.chi_square}};
+  if (!std::isfinite(side.height)) return json;
+  json["height"] = side.height;
+  json["slope"] = side.slope;
+  json["curvature"] = side.curvature;
+  return json;
+}
+
 Seed seed_of(JsonObject& object) {
   const double seed = object.number("seed");
   constexpr double most_exact = 9007199254740992.0;  // 2^53
@@ -150,6 +177,8 @@ MaterialFile material_of(const std::string& text, const std::string& where) {
   if (object.has("seed")) file.seed = seed_of(object);
   if (object.has("input")) file.input = input_of(object.object("input"), file.unit);
   read_record(json, object, file);
+  if (object.has("beyond_spectrum"))
+    file.beyond_spectrum = beyond_spectrum_of(object.object("beyond_spectrum"));
   object.has("version");
   object.finish();
   return file;
@@ -173,6 +202,12 @@ std::string material_text(const MaterialFile& file) {
   for (const auto& choice : file.choices)
     json["choices"].push_back({{"words", choice.words}, {"probability", choice.probability}});
   for (const auto& [kind, probability] : file.kinds) json["kinds"][kind] = probability;
+  if (file.beyond_spectrum) {
+    const auto& [gaussian, ridged] = *file.beyond_spectrum;
+    json["beyond_spectrum"] = {{"gaussian", json_of_side(gaussian)},
+                               {"ridged", json_of_side(ridged)},
+                               {"explained", 1.0 - ridged.chi_square / gaussian.chi_square}};
+  }
   if (!file.remarks.empty()) json["remarks"] = file.remarks;
   if (file.seed) json["seed"] = *file.seed;
   if (file.input) {

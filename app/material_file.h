@@ -39,6 +39,16 @@ struct MaterialFile {
   };
   std::vector<Choice> choices;
   std::vector<std::pair<std::string, double>> kinds;  // names that people give, with probabilities
+  /// What a sheet has beyond its spectrum, without and with the ridges of the material.
+  struct BeyondSpectrum {
+    struct Side {
+      double chi_square = 0.0;  // of six moments of height, slope and curvature
+      /// Mean distance of the quantiles in standard deviations; NaN where nothing was compared.
+      double height = std::numeric_limits<double>::quiet_NaN(), slope = height, curvature = height;
+    };
+    Side gaussian, ridged;
+  };
+  std::optional<BeyondSpectrum> beyond_spectrum;
   std::vector<std::string> remarks;
   std::optional<Seed> seed;
   std::optional<Input> input;

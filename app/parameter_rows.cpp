@@ -42,6 +42,7 @@ std::vector<ParameterRow> parameter_rows(const MaterialFile& file) {
           rows.push_back({std::string(word.name), text, "", std::string(word.meaning)});
         });
         visit_fields(m, [&](const std::string& name, const auto& field, double value) {
+          if (is_left_out(field, value)) return;
           const auto found = sigma.find(name);
           const bool on_bound =
               std::find(file.on_bound.begin(), file.on_bound.end(), name) != file.on_bound.end();

@@ -129,6 +129,7 @@ std::vector<std::string> told(const MaterialFile& file) {
           lines.push_back(fmt::format("  {} {}", word.name, text));
         });
         visit_fields(m, [&](const std::string& path, const auto& field, double value) {
+          if (is_left_out(field, value)) return;
           // One line for a part, one for a list of numbers, one for a field.
           const bool listed = path.back() == ']';
           const auto end = path.rfind(listed ? '[' : '.');

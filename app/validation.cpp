@@ -62,8 +62,10 @@ double difference(Scale scale, double a, double b) {
 std::vector<ParameterAccuracy> parameters_over(const std::vector<SeedAccuracy>& seeds,
                                                const Material& truth) {
   std::vector<ParameterAccuracy> parameters;
+  std::size_t next = 0;
   const auto add = [&](const std::string& name, const auto& field, double value) {
-    const std::size_t i = parameters.size();
+    const std::size_t i = next++;
+    if (is_left_out(field, value)) return;
     ParameterAccuracy p{.name = name, .unit = std::string(field.unit), .truth = value};
     std::vector<double> found, errors, sigmas;
     for (const auto& seed : seeds) {

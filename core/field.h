@@ -35,7 +35,15 @@ struct Field {
   Scale scale;
   std::string_view unit;     // "mm", "rad", "mm^4"; empty for a plain number
   std::string_view meaning;  // a few words for a person
+  bool optional = false;     // whether a file may leave it out, which means 0
 };
+
+/// Whether files and tables do not name a field: it is optional and says nothing.
+template <class AnyField>
+constexpr bool is_left_out(const AnyField& field, double value) {
+  if constexpr (requires { field.optional; }) return field.optional && value == 0.0;
+  return false;
+}
 
 template <class Owner, class Part>
 struct PartList {

@@ -85,7 +85,8 @@ class CellResiduals {
     constexpr int stride = 4;  // fields of a component
     using Jet = ceres::Jet<double, stride>;
     const int parts = int(shape.components.size());
-    const int size = stride * parts + 1;
+    const int fitted = stride * parts + 1;                          // those that the spectrum knows
+    const int size = fitted + int(Wrinkle<>::fields().size()) - 1;  // ridges leave it alone
     std::vector<Jet> point(packed, packed + size);
     const auto moving = [&](int first, int count, const auto& use) {
       for (int k = 0; k < count; ++k) point[std::size_t(first + k)].v[k] = 1.0;
@@ -105,10 +106,11 @@ class CellResiduals {
         }
       });
     }
-    moving(size - 1, 1, [&](const Wrinkle<Jet>& wrinkle) {
+    moving(fitted - 1, 1, [&](const Wrinkle<Jet>& wrinkle) {
       for (std::size_t i = 0; i < cells_.size(); ++i) {
         sent[i] += wrinkle.floor_mm4.a;
-        jacobian[int(i) * size + size - 1] = wrinkle.floor_mm4.v[0];
+        jacobian[int(i) * size + fitted - 1] = wrinkle.floor_mm4.v[0];
+        for (int k = fitted; k < size; ++k) jacobian[int(i) * size + k] = 0.0;
       }
     });
     for (std::size_t i = 0; i < cells_.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "fit/closest_wrinkle.h"
 #include "fit/goodness.h"
 #include "fit/observe.h"
+#include "fit/ridge_sheets.h"
 #include "fit/sampling.h"
 #include "fit/solve.h"
 #include "fit/whittle.h"
@@ -23,6 +24,7 @@ constexpr int most_groups = 4;           // of starts that are worth the whole s
 constexpr double visible_floor = 0.3;    // share of the lowest power
 constexpr double most_worse = 1.2;       // than before may a refined fit explain the first cells
 constexpr int fewest_per_field = 5;      // cells, so that a refinement has something to go by
+constexpr int ridge_fields = 3;          // the last of a wrinkle
 
 double half_sum_of_squares(const Wrinkle<>& wrinkle, std::size_t count, const auto& residual) {
   std::vector<double> r(count);
@@ -84,6 +86,29 @@ std::vector<Group> groups_of(const Wrinkle<>& shape, std::vector<Ending> endings
   return groups;
 }
 
+/// How many fields the spectrum knows: all but the ridges.
+int spectral_fields(const Wrinkle<>& wrinkle) {
+  return int(pack(wrinkle).size()) - ridge_fields;
+}
+
+/// The spectrum says nothing of ridges.
+void forget_ridges(Fit<Wrinkle<>>& fit) {
+  fit.covariance.bottomRows(ridge_fields).setZero();
+  fit.covariance.rightCols(ridge_fields).setZero();
+  fit.sigma = with(std::move(fit.sigma), Ridges::Zero());
+}
+
+/// What the map itself tells of them.
+RidgeEvidence add_ridges(Fit<Wrinkle<>>& fit, const Surface& surface, const FitProgress& progress) {
+  const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
+  const RidgeFit ridges = fit_ridges(map, surface.mask, fit, surface.extent, progress);
+  fit.covariance.bottomRightCorner(ridge_fields, ridge_fields) = ridges.covariance;
+  fit.material = with(std::move(fit.material), ridges.value);
+  fit.sigma = with(std::move(fit.sigma), ridges.sigma);
+  fit.remarks.push_back(told(ridges));
+  return ridges.evidence;
+}
+
 /// The best of several starts, over the cells that aliases cannot reach.
 Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation& seen) {
   const double kappa = seen.spectrum.independence;
@@ -126,7 +151,7 @@ void refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
   const double kappa = seen.spectrum.independence;
   const Extent& extent = seen.spectrum.extent;
   const auto overlap = taper_overlap(seen.spectrum.taper);
-  const int fields = int(pack(fit.material).size());
+  const int fields = spectral_fields(fit.material);
   const double first_cost = fit.cost;
   auto cells = seen.fine;
   for (int k = 0; k < corrections; ++k) {
@@ -179,7 +204,7 @@ double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
   double ordinates = 0.0;
   for (const Cell& cell : seen.fine) ordinates += cell.count;
   return 2.0 * fit.cost +
-         double(pack(fit.material).size()) * std::log(seen.spectrum.independence * ordinates);
+         double(spectral_fields(fit.material)) * std::log(seen.spectrum.independence * ordinates);
 }
 
 }  // namespace
@@ -195,7 +220,7 @@ Wrinkle<> canonical(Wrinkle<> wrinkle) {
   return wrapped(wrinkle);
 }
 
-Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options) {
+WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options) {
   const Observation seen = observe(surface, options.lens_blur_px);
   const int starts = std::max(options.starts, 6);
   const int fewest = options.components > 0 ? options.components : 1;
@@ -222,7 +247,10 @@ Fit<Wrinkle<>> fit_wrinkle(const Surface& surface, const WrinkleFitOptions& opti
     best = closest_wrinkle(seen, best, options.components);
   best.remarks = seen.remarks;
   for (auto& remark : remarks_on(best)) best.remarks.push_back(std::move(remark));
-  return best;
+  forget_ridges(best);
+  RidgeEvidence ridges;
+  if (options.ridges) ridges = add_ridges(best, surface, options.progress);
+  return {std::move(best), ridges};
 }
 
 }  // namespace hada

@@ -66,7 +66,8 @@ class JsonObject {
   std::set<std::string> asked_;
 };
 
-/// The numbers and words of a material (or the numbers of its sigma) under the names of its tables.
+/// The numbers and words of a material (or the numbers of its sigma) under the names of its tables;
+/// what is optional and 0 is left out.
 template <class M>
 Json json_of(const M& material) {
   Json json = Json::object();
@@ -87,7 +88,10 @@ Json json_of(const M& material) {
     };
     std::apply([&](const auto&... lists) { (add_list(lists), ...); }, M::lists());
   }
-  for (const auto& field : M::fields()) json[std::string(field.name)] = material.*(field.member);
+  for (const auto& field : M::fields()) {
+    const double value = material.*(field.member);
+    if (!is_left_out(field, value)) json[std::string(field.name)] = value;
+  }
   return json;
 }
 
@@ -105,7 +109,8 @@ double value_within(const F& field, double value, const JsonObject& object,
   return value;
 }
 
-/// The inverse of `json_of`. Unknown or missing keys and values outside their bounds are Errors.
+/// The inverse of `json_of`. Unknown keys, values outside their bounds and missing keys of fields
+/// that are not optional are Errors.
 template <class M>
 M material_from(JsonObject object) {
   M material;
@@ -151,7 +156,9 @@ M material_from(JsonObject object) {
   }
   for (const auto& field : M::fields()) {
     const std::string key(field.name);
-    material.*(field.member) = value_within(field, object.number(key), object, key);
+    double& value = material.*(field.member);
+    value = value_within(field, field.optional ? object.number(key, value) : object.number(key),
+                         object, key);
   }
   object.finish();
   return material;

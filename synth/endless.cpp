@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "synth/ridges.h"
 #include "synth/white_noise.h"
 
 namespace hada {
@@ -161,10 +162,16 @@ void add_floor(Grid<float>& field, const Extent& window, const std::array<double
 
 Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
                           const std::array<double, 2>& middle, Seed seed) {
-  Grid<float> field(window.rows, window.cols);
+  const int margin = has_ridges(wrinkle) ? felt_by_ridges(wrinkle, window.pitch) : 0;
+  const Extent wider{window.rows + 2 * margin, window.cols + 2 * margin, window.pitch, window.unit};
+  Grid<float> field(wider.rows, wider.cols);
   std::int64_t layer = 0;
   for (const auto& component : wrinkle.components)
-    Layer(component, mixed(seed, ++layer)).add_to(field, window, middle);
+    Layer(component, mixed(seed, ++layer)).add_to(field, wider, middle);
+  if (has_ridges(wrinkle)) {
+    field = crop(with_layers(std::move(field), wrinkle, window.pitch, false), margin, margin,
+                 window.rows, window.cols);
+  }
   if (wrinkle.floor_mm4 > 0.0) add_floor(field, window, middle, wrinkle.floor_mm4, mixed(seed, 0));
   return field;
 }

@@ -7,11 +7,30 @@
 #include "core/error.h"
 #include "synth/endless.h"
 #include "synth/gaussian_field.h"
+#include "synth/ridges.h"
 
 namespace hada {
 namespace {
 
 constexpr float plain_albedo = 0.8f;
+
+template <Spectral M>
+Grid<float> field_of(const M& material, const Extent& extent, Seed seed) {
+  return gaussian_field(spectrum_of(material), extent, seed);
+}
+
+// Ridges are of the paper, not of the white noise over it.
+Grid<float> field_of(const Wrinkle<>& wrinkle, const Extent& extent, Seed seed) {
+  if (!has_ridges(wrinkle)) return gaussian_field(spectrum_of(wrinkle), extent, seed);
+  Wrinkle<> bare = wrinkle;
+  bare.floor_mm4 = 0.0;
+  auto field = with_ridges(gaussian_field(spectrum_of(bare), extent, seed), wrinkle, extent.pitch);
+  if (wrinkle.floor_mm4 == 0.0) return field;
+  const auto floor =
+      gaussian_field([&](double, double) { return wrinkle.floor_mm4; }, extent, mixed(seed, 1));
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] += floor[i];
+  return field;
+}
 
 // A fact of the spectrum alone: luck draws the phases, and the sheet is of one colour.
 template <Spectral M>
@@ -19,7 +38,7 @@ Surface drawn(const M& material, const Extent& extent, Seed seed) {
   Surface surface;
   surface.extent = extent;
   surface.mask = full_mask(extent);
-  surface.height = gaussian_field(spectrum_of(material), extent, seed);
+  surface.height = field_of(material, extent, seed);
   surface.normals = normals_of(surface.height, surface.mask, extent.pitch);
   surface.albedo = Image(Grid<float>(extent.rows, extent.cols, plain_albedo));
   return surface;

@@ -38,6 +38,8 @@ struct WrinkleComponent {
 ///
 /// h(x) = sum_k a_k (G_k * w_k)(x), w_k white Gaussian noise, G_k a Gaussian ellipse of unit
 /// L2 norm. Source: Kiso, Mao, Toyoura, section 3 (kernel as restored in docs/methods.md).
+/// `skew`, `tail` and `sharpness` lay ridges over it (synth/ridges.h); they leave the spectrum
+/// alone.
 template <class T = double>
 struct Wrinkle {
   static constexpr std::string_view name = "wrinkle";
@@ -46,6 +48,9 @@ struct Wrinkle {
 
   std::vector<WrinkleComponent<T>> components = std::vector<WrinkleComponent<T>>(1);
   T floor_mm4{0.0};
+  T skew{0.0};
+  T tail{0.0};
+  T sharpness{0.0};
 
   static constexpr auto parts() {
     return std::tuple{
@@ -56,6 +61,12 @@ struct Wrinkle {
     return std::array{
         F{"floor_mm4", &Wrinkle::floor_mm4, 0.0, 1e3, Scale::log, "mm^4",
           "power spectral density of white height noise"},
+        F{"skew", &Wrinkle::skew, -1.5, 1.5, Scale::linear, "",
+          "of the heights: above 0 peaks stand out, below 0 pits; 0 Gaussian", true},
+        F{"tail", &Wrinkle::tail, -0.5, 0.5, Scale::linear, "",
+          "of the heights: above 0 extremes are more frequent; 0 Gaussian", true},
+        F{"sharpness", &Wrinkle::sharpness, -5.0, 5.0, Scale::linear, "",
+          "of ridges (above 0) or furrows (below 0); 0 none", true},
     };
   }
 };

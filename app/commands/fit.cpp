@@ -23,6 +23,8 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
     throw Error("--report: a page is written about forged steel; leave it out for " +
                 arguments.material);
   }
+  if (arguments.ridges && arguments.material != Wrinkle<>::name)
+    throw Error("--ridges: lie over wrinkles; leave it out for " + arguments.material);
   terminal.step("reading " + arguments.input.string());
   const Surface surface = read_surface(arguments.input, arguments.pitch_mm);
   std::optional<Surface> face;
@@ -33,6 +35,7 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
       fit_material(arguments.material, surface, last_name(arguments.input),
                    {.components = arguments.components,
                     .lens_blur_px = arguments.lens_blur_px,
+                    .ridges = arguments.ridges,
                     .view = arguments.view,
                     .face = face ? &*face : nullptr,
                     .forged = &forged,

@@ -15,6 +15,7 @@ struct FitArguments {
   std::optional<double> pitch_mm;
   int components = 0;              // 0: the data decide
   double lens_blur_px = 0.0;       // of wrinkles: standard deviation of the lens's point spread
+  bool ridges = false;             // of wrinkles: whether skew, tail and sharpness are found too
   std::string view = "automatic";  // or, of wood, end-grain or face; of forged steel, block
   std::filesystem::path report;    // of forged steel: page to write; may be empty
   std::filesystem::path face;      // of wood: picture of the tangential face; may be empty

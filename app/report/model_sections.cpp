@@ -117,6 +117,22 @@ std::string material_section(const WholePath& path) {
         "{:.2g}.",
         file.goodness_p);
   }
+  if (file.beyond_spectrum) {
+    const auto& [gaussian, ridged] = *file.beyond_spectrum;
+    text += fmt::format(
+        " Beyond the spectrum: six moments of height, slope and curvature lie {:.1f} (chi-square) "
+        "from those of a Gaussian sheet",
+        gaussian.chi_square);
+    text += ridged.chi_square < gaussian.chi_square
+                ? fmt::format(
+                      ", {:.1f} from those with the ridges that were found, which explain {:.0f} % "
+                      "of it; the histograms of height, slope and curvature come from {:.3f}, "
+                      "{:.3f}, {:.3f} to {:.3f}, {:.3f}, {:.3f} standard deviations.",
+                      ridged.chi_square, 100.0 * (1.0 - ridged.chi_square / gaussian.chi_square),
+                      gaussian.height, gaussian.slope, gaussian.curvature, ridged.height,
+                      ridged.slope, ridged.curvature)
+                : std::string("; 95 % of those lie within 12.6, and no ridges are needed.");
+  }
   return "<h2>The material</h2>\n" + paragraph(escaped(text)) +
          table({escaped(name_of(file.material)), "value \u00b1 sigma", "unit", "meaning"}, rows);
 }

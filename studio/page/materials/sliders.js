@@ -68,7 +68,7 @@ export function controls(table, parameters, changed) {
     for (const word of table.words) box.append(wordControl(word, parameters, changed));
     for (const list of table.lists) box.append(listControls(list, parameters, changed, fill));
     for (const field of table.fields) {
-      box.append(slider(field, parameters[field.name], (value) => {
+      box.append(slider(field, parameters[field.name] ?? 0, (value) => {
         parameters[field.name] = value;
         changed();
       }));
