@@ -22,6 +22,7 @@
 #include "bench/results_knit.h"
 #include "bench/results_loop.h"
 #include "bench/results_page.h"
+#include "bench/results_ridges.h"
 #include "bench/results_studio.h"
 #include "bench/results_wood.h"
 #include "bench/results_wrinkle.h"
@@ -290,6 +291,7 @@ int main(int argc, char** argv) {
       {"depth", depth_from_normals},
       {"height", integration_speed},
       {"wrinkle", hada::wrinkle_results},
+      {"ridges", hada::ridge_results},
       {"fold", hada::fold_results},
       {"forged", hada::forged_results},
       {"knit", [] { return hada::knit_results(hada::data_folder()); }},
