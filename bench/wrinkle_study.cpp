@@ -41,6 +41,7 @@ Surface sample_of(const Wrinkle<>& truth, const WrinkleStudyOptions& options, Se
 
 struct Errors {
   std::vector<double> absolute;
+  std::vector<double> sigma;
   std::vector<double> in_sigma;
 };
 
@@ -51,7 +52,8 @@ double difference(double fitted, double truth, Scale scale) {
 }
 
 FieldScore score(const std::string& path, const Errors& errors) {
-  FieldScore result{.path = path, .median_error = median(errors.absolute)};
+  FieldScore result{
+      .path = path, .median_error = median(errors.absolute), .median_sigma = median(errors.sigma)};
   double squares = 0.0;
   for (const double ratio : errors.in_sigma) {
     result.coverage += std::abs(ratio) < 1.959964 ? 1.0 : 0.0;
@@ -134,8 +136,9 @@ WrinkleScore study_wrinkles(const WrinkleStudyOptions& options) {
       const double error = difference(value, true_values[k], field.scale);
       const double unit = field.scale == Scale::log ? value : 1.0;
       const double degrees = 180.0 / std::numbers::pi;
-      errors[k].absolute.push_back(std::abs(error) *
-                                   (field.scale == Scale::half_turn ? degrees : 1.0));
+      const double shown = field.scale == Scale::half_turn ? degrees : 1.0;
+      errors[k].absolute.push_back(std::abs(error) * shown);
+      errors[k].sigma.push_back(sigmas[k] / unit * shown);
       errors[k].in_sigma.push_back((field.scale == Scale::log ? std::log1p(error) : error) /
                                    (sigmas[k] / unit));
       ++k;

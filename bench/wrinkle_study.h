@@ -19,6 +19,7 @@ struct WrinkleStudyOptions {
 struct FieldScore {
   std::string path;           // "components[0].amplitude_mm"
   double median_error = 0.0;  // relative; of an angle in degrees
+  double median_sigma = 0.0;  // the same of what the Fisher information says
   double coverage = 0.0;      // share of 95 % intervals that hold the truth
   double bias = 0.0;          // mean error over sigma, 0 +- 1 / sqrt(seeds) if there is none
   double spread = 0.0;        // root mean square of error over sigma, 1 if sigma is honest
