@@ -106,6 +106,15 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
     }
   });
   add_extra_edges(coarse);
+  coarse.even = decltype(coarse.even)(at.size(), coarse.memory());
+  for_each_index(at.rows, [&](int row) {
+    for (const int parity : {0, 1}) {
+      const auto here = at.start(row, parity);
+      row_kernels::find_even(at.block, weights_around(coarse, row, parity),
+                             coarse.reach_across.data() + here, coarse.reach_along.data() + here,
+                             coarse.inverse.data() + here, coarse.even.data() + here);
+    }
+  });
   return coarse;
 }
 

@@ -34,4 +34,9 @@ inline row_kernels::Around weights_around(const PixelLevel& level, int row, int 
           east + at.start(row, parity)};
 }
 
+/// The marks of even cells from a place on, or null.
+inline const std::uint8_t* even_at(const PixelLevel& level, std::ptrdiff_t place) {
+  return level.even.empty() ? nullptr : level.even.data() + place;
+}
+
 }  // namespace hada

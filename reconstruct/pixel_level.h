@@ -39,7 +39,8 @@ struct PixelLevel {
         south(where),
         inverse(where),
         reach_across(where),
-        reach_along(where) {}
+        reach_along(where),
+        even(where) {}
   std::pmr::memory_resource* memory() const { return value.get_allocator().resource; }
 
   Dealt at;
@@ -52,6 +53,9 @@ struct PixelLevel {
   // the reach of a cell along rows and columns, 1 / (2 sum of the edges that join its two halves).
   Cells east, south, inverse;
   Cells reach_across, reach_along;
+  // 1 for the cells of a coarse lattice that are as all are in an even one: four edges of weight 1,
+  // a reach of 1/4. Empty: not looked for.
+  std::vector<std::uint8_t, Zeroed<std::uint8_t>> even;
 
   struct Edge {
     Node to;

@@ -1,6 +1,7 @@
 #include "reconstruct/row_kernels.h"
 
 #include <bit>
+#include <cstring>
 
 #include "reconstruct/clones.h"
 
@@ -13,6 +14,11 @@ inline float inverse_of(std::uint8_t code) {
   return float(code >> 4) * twelfth;
 }
 
+inline float carried_evenly(const Corner& corner, int i) {
+  const float value = corner.value[i];
+  return value + 0.25f * (corner.across[i] - value) + 0.25f * (corner.along[i] - value);
+}
+
 inline float carried(const Corner& corner, int i) {
   const float value = corner.value[i];
   const float f = corner.across_weight[i] * corner.across_reach[i];
@@ -23,44 +29,106 @@ inline float carried(const Corner& corner, int i) {
 }
 
 constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
+constexpr int together = 16;
+
+// Whether 16 bytes all have the value.
+inline bool all_are(const std::uint8_t* bytes, std::uint8_t value) {
+  std::uint64_t parts[2];
+  std::memcpy(parts, bytes, sizeof parts);
+  const std::uint64_t wanted = 0x0101010101010101u * value;
+  return ((parts[0] ^ wanted) | (parts[1] ^ wanted)) == 0;
+}
+
+// special(i) for 16 cells that all have the mark, general(i) for all others.
+template <class Special, class General>
+[[gnu::always_inline]] inline void for_marked(int n, const std::uint8_t* marks, std::uint8_t mark,
+                                              const Special& special, const General& general) {
+  int first = 0;
+  for (; marks && first + together <= n; first += together) {
+    if (all_are(marks + first, mark)) {
+#pragma GCC ivdep
+      for (int i = first; i < first + together; ++i) special(i);
+    } else {
+#pragma GCC ivdep
+      for (int i = first; i < first + together; ++i) general(i);
+    }
+  }
+#pragma GCC ivdep
+  for (int i = first; i < n; ++i) general(i);
+}
+// carry[2 i], carry[2 i + 1]: of cell first + i of the even and of the odd columns.
+[[gnu::always_inline]] inline void carry_over(int count, const Corner& even, const Corner& odd,
+                                              int first, float* __restrict carry) {
+  int i = 0;
+  for (; even.even && i + together <= count; i += together) {
+    const int at = first + i;
+    float* const to = carry + 2 * i;
+    if (all_are(even.even + at, 1) && all_are(odd.even + at, 1)) {
+      for (int j = 0; j < together; ++j) {
+        to[2 * j] = carried_evenly(even, at + j);
+        to[2 * j + 1] = carried_evenly(odd, at + j);
+      }
+    } else {
+      for (int j = 0; j < together; ++j) {
+        to[2 * j] = carried(even, at + j);
+        to[2 * j + 1] = carried(odd, at + j);
+      }
+    }
+  }
+  for (; i < count; ++i) {
+    carry[2 * i] = carried(even, first + i);
+    carry[2 * i + 1] = carried(odd, first + i);
+  }
+}
 
 }  // namespace
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const float* right,
                               const std::uint8_t* code) {
   const auto [up, down, left, beyond] = value;
-  for (int i = 0; i < n; ++i) {
-    x[i] = (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * inverse_of(code[i]);
-  }
+  const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
+  for_marked(
+      n, code, edge_code(4), [=](int i) { x[i] = sum(i) * 0.25f; },
+      [=](int i) { x[i] = sum(i) * inverse_of(code[i]); });
 }
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
-                              const float* right, const float* inverse) {
+                              const float* right, const float* inverse, const std::uint8_t* even) {
   const auto [up, down, left, beyond] = value;
   const auto [wu, wd, wl, wr] = weight;
-  for (int i = 0; i < n; ++i) {
-    const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
-    x[i] = (right[i] + sum) * inverse[i];
-  }
+  for_marked(
+      n, even, 1,
+      [=](int i) { x[i] = (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * 0.25f; },
+      [=](int i) {
+        const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
+        x[i] = (right[i] + sum) * inverse[i];
+      });
 }
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
                                    const float* right, const std::uint8_t* code) {
   const auto [up, down, left, beyond] = value;
-  for (int i = 0; i < n; ++i) {
-    const float sum = right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]));
-    x[i] += factor * (sum * inverse_of(code[i]) - x[i]);
-  }
+  const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
+  for_marked(
+      n, code, edge_code(4), [=](int i) { x[i] += factor * (sum(i) * 0.25f - x[i]); },
+      [=](int i) { x[i] += factor * (sum(i) * inverse_of(code[i]) - x[i]); });
 }
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
-                                   const Around& weight, const float* right, const float* inverse) {
+                                   const Around& weight, const float* right, const float* inverse,
+                                   const std::uint8_t* even) {
   const auto [up, down, left, beyond] = value;
   const auto [wu, wd, wl, wr] = weight;
-  for (int i = 0; i < n; ++i) {
-    const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
-    x[i] += factor * ((right[i] + sum) * inverse[i] - x[i]);
-  }
+  for_marked(
+      n, even, 1,
+      [=](int i) {
+        const float sum = (up[i] + down[i]) + (left[i] + beyond[i]);
+        x[i] += factor * ((right[i] + sum) * 0.25f - x[i]);
+      },
+      [=](int i) {
+        const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
+        x[i] += factor * ((right[i] + sum) * inverse[i] - x[i]);
+      });
 }
 
 HADA_CLONES_AVX512 void relax_from_zero(int n, float factor, float* __restrict x,
@@ -85,15 +153,23 @@ HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, c
 }
 
 HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, const Around& value,
-                                 const Around& weight, const float* right, const float* inverse) {
+                                 const Around& weight, const float* right, const float* inverse,
+                                 const std::uint8_t* even) {
   const auto [up, down, left, beyond] = value;
   const auto [wu, wd, wl, wr] = weight;
-  for (int i = 0; i < n; ++i) {
-    const float here = x[i];
-    const float rest = right[i] + ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
-                                   (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
-    out[i] = inverse[i] > 0.0f ? rest : 0.0f;
-  }
+  for_marked(
+      n, even, 1,
+      [=](int i) {
+        const float here = x[i];
+        out[i] = right[i] +
+                 (((up[i] - here) + (down[i] - here)) + ((left[i] - here) + (beyond[i] - here)));
+      },
+      [=](int i) {
+        const float here = x[i];
+        const float rest = right[i] + ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
+                                       (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
+        out[i] = inverse[i] > 0.0f ? rest : 0.0f;
+      });
 }
 
 HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
@@ -101,14 +177,21 @@ HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const floa
                                        const AroundCodes& around) {
   const auto [up, down, left, beyond] = value;
   const auto [cu, cd, cl, cr] = around;
-  for (int i = 0; i < n; ++i) {
-    const float here = x[i];
-    const float du = up[i] - here, dd = down[i] - here, dl = left[i] - here, dr = beyond[i] - here;
-    const float vertical = (cu[i] ? du : 0.0f) + (cd[i] ? dd : 0.0f);
-    const float level = (cl[i] ? dl : 0.0f) + (cr[i] ? dr : 0.0f);
-    const float sum = rest[i] + (vertical + level);
-    rest[i] = code[i] ? sum : 0.0f;
-  }
+  for_marked(
+      n, code, edge_code(4),
+      [=](int i) {
+        const float here = x[i];
+        rest[i] += ((up[i] - here) + (down[i] - here)) + ((left[i] - here) + (beyond[i] - here));
+      },
+      [=](int i) {
+        const float here = x[i];
+        const float du = up[i] - here, dd = down[i] - here;
+        const float dl = left[i] - here, dr = beyond[i] - here;
+        const float vertical = (cu[i] ? du : 0.0f) + (cd[i] ? dd : 0.0f);
+        const float level = (cl[i] ? dl : 0.0f) + (cr[i] ? dr : 0.0f);
+        const float sum = rest[i] + (vertical + level);
+        rest[i] = code[i] ? sum : 0.0f;
+      });
 }
 
 HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
@@ -166,10 +249,7 @@ HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& ev
   float carry[2 * chunk];
   for (int first = 0; first < n; first += chunk) {
     const int count = n - first < chunk ? n - first : chunk;
-    for (int i = 0; i < count; ++i) {
-      carry[2 * i] = carried(even, first + i);
-      carry[2 * i + 1] = carried(odd, first + i);
-    }
+    carry_over(count, even, odd, first, carry);
     for (int j = 0; j < 2 * count; ++j) {
       x[2 * first + j] = alive[2 * first + j] ? x[2 * first + j] + carry[j] : 0.0f;
     }
@@ -181,10 +261,7 @@ HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& ev
   float carry[2 * chunk];
   for (int first = 0; first < n; first += chunk) {
     const int count = n - first < chunk ? n - first : chunk;
-    for (int i = 0; i < count; ++i) {
-      carry[2 * i] = carried(even, first + i);
-      carry[2 * i + 1] = carried(odd, first + i);
-    }
+    carry_over(count, even, odd, first, carry);
     for (int j = 0; j < 2 * count; ++j) {
       x[2 * first + j] = alive[2 * first + j] > 0.0f ? x[2 * first + j] + carry[j] : 0.0f;
     }
@@ -238,6 +315,17 @@ HADA_CLONES_AVX512 void in_series(int n, float* __restrict cross, const float* r
 
 HADA_CLONES_AVX512 void to_reach(int n, float* __restrict reach) {
   for (int i = 0; i < n; ++i) reach[i] = reach[i] > 0.0f ? 0.5f / reach[i] : 0.0f;
+}
+
+HADA_CLONES_AVX512 void find_even(int n, const Around& weight, const float* reach_across,
+                                  const float* reach_along, const float* inverse,
+                                  std::uint8_t* __restrict even) {
+  const auto [wu, wd, wl, wr] = weight;
+  for (int i = 0; i < n; ++i) {
+    const int edges = (wu[i] == 1.0f) & (wd[i] == 1.0f) & (wl[i] == 1.0f) & (wr[i] == 1.0f);
+    const int cell = (reach_across[i] == 0.25f) & (reach_along[i] == 0.25f) & (inverse[i] == 0.25f);
+    even[i] = std::uint8_t(edges & cell);
+  }
 }
 
 HADA_CLONES_AVX512 void invert(int n, float* __restrict inverse, const Around& weight) {

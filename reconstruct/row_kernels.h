@@ -41,14 +41,17 @@ void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
 void relax(int n, float* __restrict x, const Around& value, const float* right,
            const std::uint8_t* code);
 /// The same with a weight on every edge; inverse is 1 over their sum, 0 for a lonely cell.
+///
+/// Where 16 cells together are `even` (1: all edges weigh 1 and all reaches are 1/4), what weighs
+/// them is not read; null: none are.
 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
-           const float* right, const float* inverse);
+           const float* right, const float* inverse, const std::uint8_t* even);
 
 /// x += factor * (what `relax` would make of it - x): successive over-relaxation.
 void over_relax(int n, float factor, float* __restrict x, const Around& value, const float* right,
                 const std::uint8_t* code);
 void over_relax(int n, float factor, float* __restrict x, const Around& value, const Around& weight,
-                const float* right, const float* inverse);
+                const float* right, const float* inverse, const std::uint8_t* even);
 
 /// The same where x and all neighbours are 0.
 void relax_from_zero(int n, float factor, float* __restrict x, const float* right,
@@ -60,7 +63,8 @@ void relax_from_zero(int n, float factor, float* __restrict x, const float* righ
 void residual(int n, float* __restrict out, const float* x, const Around& value, const float* right,
               const std::uint8_t* code);
 void residual(int n, float* __restrict out, const float* x, const Around& value,
-              const Around& weight, const float* right, const float* inverse);
+              const Around& weight, const float* right, const float* inverse,
+              const std::uint8_t* even);
 /// rest -= A x, from differences of neighbours, which hardly round at all.
 void subtract_image(int n, float* __restrict rest, const float* x, const Around& value,
                     const std::uint8_t* code, const AroundCodes& around);
@@ -87,6 +91,7 @@ struct Corner {
   const float* along;          // up or down
   const float* along_weight;
   const float* along_reach;
+  const std::uint8_t* even;
 };
 
 /// x[j] += the value of coarse cell j carried to one of its corners, where `alive[j]` is not 0:
@@ -138,6 +143,9 @@ void join(int n, const WeightedRows& rows, float least, float* __restrict inside
 void in_series(int n, float* __restrict cross, const float* reach, const float* reach_beyond);
 /// reach = 1 / (2 reach), 0 stays 0.
 void to_reach(int n, float* __restrict reach);
+/// 1 for the cells of an even lattice, 0 for all others.
+void find_even(int n, const Around& weight, const float* reach_across, const float* reach_along,
+               const float* inverse, std::uint8_t* __restrict even);
 /// inverse = 1 / (sum of weights), 0 where there are none.
 void invert(int n, float* __restrict inverse, const Around& weight);
 

@@ -31,8 +31,9 @@ void relax(const System& s, int row, int colour, float factor) {
   }
   const auto weights = weights_around(level, row, parity);
   const float* const inverse = level.inverse.data() + here;
-  if (factor == 1.0f) return row_kernels::relax(n, x, values, weights, right, inverse);
-  return row_kernels::over_relax(n, factor, x, values, weights, right, inverse);
+  const auto* const even = even_at(level, here);
+  if (factor == 1.0f) return row_kernels::relax(n, x, values, weights, right, inverse, even);
+  return row_kernels::over_relax(n, factor, x, values, weights, right, inverse, even);
 }
 
 void relax_from_zero(const System& s, int row, int colour, float factor) {
@@ -63,7 +64,8 @@ row_kernels::Corner corner_of(const PixelLevel& coarse, int fine_row, int parity
           coarse.reach_across.data() + here,
           second ? beside.down : beside.up,
           second ? weights.down : weights.up,
-          coarse.reach_along.data() + here};
+          coarse.reach_along.data() + here,
+          even_at(coarse, here)};
 }
 
 // The cells of a row and colour that moved to an extra node of the coarser level.
@@ -108,7 +110,7 @@ void residual(const System& s, int row, int colour, float* out) {
   } else {
     row_kernels::residual(level.at.block, out, s.x + here, values,
                           weights_around(level, row, parity), s.right + here,
-                          level.inverse.data() + here);
+                          level.inverse.data() + here, even_at(level, here));
   }
 }
 

@@ -29,11 +29,43 @@ TEST(RowKernels, OverRelaxBeyondWhereTheEquationHolds) {
   std::vector<float> x(n, 2.0f), weighted(n, 2.0f), fresh(n, 9.0f);
   // The equation holds at (8 + 4) / 4 = 3: one beyond 2, half of that further with a factor of 1.5.
   row_kernels::over_relax(n, 1.5f, x.data(), around, eight.data(), code.data());
-  row_kernels::over_relax(n, 1.5f, weighted.data(), around, around, eight.data(), quarter.data());
+  row_kernels::over_relax(n, 1.5f, weighted.data(), around, around, eight.data(), quarter.data(),
+                          nullptr);
   row_kernels::relax_from_zero(n, 1.5f, fresh.data(), eight.data(), code.data());
   EXPECT_EQ(x, std::vector<float>(n, 3.5f));
   EXPECT_EQ(weighted, x);
   EXPECT_EQ(fresh, std::vector<float>(n, 3.0f));
+}
+
+TEST(RowKernels, GiveTheSameBytesWhetherEvenCellsAreMarkedOrNot) {
+  constexpr int n = 40;  // two runs of 16 and a rest
+  const std::vector<float> one(n, 1.0f), quarter(n, 0.25f);
+  std::vector<float> value(n + 2), right(n);
+  for (int i = 0; i < n + 2; ++i) value[std::size_t(i)] = 0.37f * float(i * i % 11);
+  for (int i = 0; i < n; ++i) right[std::size_t(i)] = 0.11f * float(i % 5);
+  const row_kernels::Around around{value.data(), value.data() + 1, value.data() + 2, right.data()};
+  const row_kernels::Around weight{one.data(), one.data(), one.data(), one.data()};
+  std::vector<std::uint8_t> even(n, 0);
+  row_kernels::find_even(n, weight, quarter.data(), quarter.data(), quarter.data(), even.data());
+  EXPECT_EQ(even, std::vector<std::uint8_t>(n, 1));
+  even[20] = 0;  // the second run is not read as even
+  std::vector<std::vector<float>> found;
+  for (const std::uint8_t* const marks :
+       {static_cast<const std::uint8_t*>(nullptr), static_cast<const std::uint8_t*>(even.data())}) {
+    std::vector<float> x = right, over = right, rest(n), carried(2 * n, 1.0f);
+    row_kernels::relax(n, x.data(), around, weight, right.data(), quarter.data(), marks);
+    row_kernels::over_relax(n, 1.2f, over.data(), around, weight, right.data(), quarter.data(),
+                            marks);
+    row_kernels::residual(n, rest.data(), x.data(), around, weight, right.data(), quarter.data(),
+                          marks);
+    const row_kernels::Corner corner{
+        value.data(),     value.data() + 1, one.data(),     quarter.data(),
+        value.data() + 2, one.data(),       quarter.data(), marks};
+    const std::vector<float> alive(2 * n, 1.0f);
+    row_kernels::add_carried(n, carried.data(), corner, corner, alive.data());
+    for (const auto* part : {&x, &over, &rest, &carried}) found.push_back(*part);
+  }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(found[i], found[i + 4]);
 }
 
 TEST(RowKernels, AgreeOnResidualsWithAndWithoutWeights) {
@@ -54,7 +86,7 @@ TEST(RowKernels, AgreeOnResidualsWithAndWithoutWeights) {
   row_kernels::residual(n, plain.data(), x.data(), around, rhs.data(), code.data());
   row_kernels::residual(n, weighted.data(), x.data(), around,
                         {ones.data(), ones.data(), ones.data(), ones.data()}, rhs.data(),
-                        ones.data());
+                        ones.data(), nullptr);
   row_kernels::subtract_image(n, subtracted.data(), x.data(), around, code.data(),
                               {code.data(), code.data(), code.data(), code.data()});
   EXPECT_EQ(plain, weighted);  // small whole numbers: nothing is rounded
