@@ -162,11 +162,19 @@ void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
   }
 }
 
+GrainNuisance carried_over(GrainNuisance nuisance, const GrainModel& from, const GrainModel& to) {
+  nuisance.steeper_x *= from.slope_x / to.slope_x;
+  nuisance.steeper_y *= from.slope_y / to.slope_y;
+  return nuisance;
+}
+
 double grain_cost(const GrainModel& model, const GrainNuisance& nuisance,
                   const GrainSpectrum& spectrum) {
   std::vector<double> expected;
   expected_cells(model, nuisance, spectrum, expected);
-  double cost = 0.0;
+  const double x = std::log(nuisance.steeper_x) / log_steeper_sigma;
+  const double y = std::log(nuisance.steeper_y) / log_steeper_sigma;
+  double cost = 0.5 * (x * x + y * y);
   for (std::size_t k = 0; k < expected.size(); ++k) {
     if (spectrum.count[k] == 0.0) continue;
     const double d = std::log(spectrum.power[k] / expected[k]);

@@ -48,6 +48,10 @@ void rescale(GrainModel& model, const GrainSpectrum& spectrum, double scale, dou
 std::vector<double> grain_covariance(const GrainModel& model, char cut, int places);
 constexpr int covariance_steps = 8;  // of a place
 
+/// Of the logarithms of `steeper_x` and `steeper_y` beforehand: true sequences have them within
+/// 0.2.
+constexpr double log_steeper_sigma = 0.3;
+
 /// The expected power of every cell, rows of y, cells of x.
 ///
 /// Quantising a normal field of step d adds an error whose autocovariance is
@@ -60,7 +64,12 @@ constexpr int covariance_steps = 8;  // of a place
 void expected_cells(const GrainModel& model, const GrainNuisance& nuisance,
                     const GrainSpectrum& spectrum, std::vector<double>& expected);
 
-/// Half the deviance at a given nuisance.
+/// The nuisance of a picture as the model of another sequence takes it: the slopes at the edges of
+/// levels stay as they are seen, and so change over those of the model.
+GrainNuisance carried_over(GrainNuisance nuisance, const GrainModel& from, const GrainModel& to);
+
+/// Half the deviance at a given nuisance, and what its slopes cost: the logarithms of `steeper_x`
+/// and `steeper_y` are normal beforehand.
 double grain_cost(const GrainModel& model, const GrainNuisance& nuisance,
                   const GrainSpectrum& spectrum);
 

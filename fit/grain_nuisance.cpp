@@ -15,6 +15,8 @@ namespace hada {
 namespace {
 
 constexpr std::size_t with_scale = 8, without = 6;  // nuisances
+constexpr std::array known_to{log_steeper_sigma, log_steeper_sigma, log_scale_sigma,
+                              log_aspect_sigma};  // beforehand, of the last of them
 constexpr std::array<SolverBounds, with_scale> bounds{{{-4.0, 1.0},
                                                        {-4.0, 1.1},
                                                        {-24.0, 0.7},
@@ -42,7 +44,10 @@ GrainNuisance unpacked(const double* p, const GrainNuisance& start, GrainScale s
   return n;
 }
 
-/// Residuals of all cells, then those of the scale and aspect; and their derivatives.
+constexpr std::size_t steeper = 4;  // the first of the two slopes
+
+/// Residuals of all cells, then those of what is known beforehand of the slopes and, if they are
+/// free, of scale and aspect; and their derivatives.
 ///
 /// These go by way of the expected power, whose differences are cheap.
 class GrainResiduals {
@@ -52,7 +57,7 @@ class GrainResiduals {
       : model_(model), spectrum_(spectrum), start_(start), scale_(scale) {}
 
   int parameters() const { return int(scale_ == GrainScale::one ? without : with_scale); }
-  int count() const { return int(spectrum_.power.size()) + parameters() - int(without); }
+  int count() const { return int(spectrum_.power.size()) + parameters() - int(steeper); }
 
   void operator()(const double* p, double* r, double* jacobian) const {
     std::vector<double> expected, moved;
@@ -64,16 +69,11 @@ class GrainResiduals {
                  : std::sqrt(spectrum_.count[k]) *
                        deviance_residual(std::log(spectrum_.power[k] / expected[k]));
     }
-    if (scale_ == GrainScale::about_one) {
-      r[cells] = p[6] / log_scale_sigma;
-      r[cells + 1] = p[7] / log_aspect_sigma;
-    }
+    for (std::size_t k = steeper; k < n; ++k) r[cells + k - steeper] = p[k] / known_to[k - steeper];
     if (!jacobian) return;
     std::fill(jacobian, jacobian + n * std::size_t(count()), 0.0);
-    if (scale_ == GrainScale::about_one) {
-      jacobian[cells * n + 6] = 1.0 / log_scale_sigma;
-      jacobian[(cells + 1) * n + 7] = 1.0 / log_aspect_sigma;
-    }
+    for (std::size_t k = steeper; k < n; ++k)
+      jacobian[(cells + k - steeper) * n + k] = 1.0 / known_to[k - steeper];
     constexpr double h = 1e-5;
     std::vector<double> q(p, p + n);
     for (std::size_t parameter = 0; parameter < n; ++parameter) {
@@ -139,12 +139,12 @@ GrainFit fit_nuisance(GrainModel& model, const GrainSpectrum& spectrum, const Gr
   const auto ending = descend({packed(start, scale)}, within, residuals.count(), residuals,
                               {.max_iterations = most_iterations, .tolerance = 1e-7})
                           .front();
-  GrainFit fit{unpacked(ending.packed.data(), start, scale), ending.cost, 0.0};
+  GrainFit fit{unpacked(ending.packed.data(), start, scale)};
   if (scale == GrainScale::about_one) {
     fit.occam = occam_factor(residuals, ending.packed);
     rescale(model, spectrum, fit.nuisance.scale, fit.nuisance.aspect);
-    fit.cost = grain_cost(model, fit.nuisance, spectrum);
   }
+  fit.cost = grain_cost(model, fit.nuisance, spectrum);
   return fit;
 }
 

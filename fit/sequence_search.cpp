@@ -118,6 +118,7 @@ class Beam {
     std::sort(pool_.begin(), pool_.end(), likelier);
     if (pool_.size() > kept) pool_.resize(kept);
     nuisance_ = pool_.front().fit.nuisance;
+    nuisance_of_ = pool_.front().model;
     occam_ = pool_.front().fit.occam;
     judge();
   }
@@ -127,7 +128,8 @@ class Beam {
       auto& one = pool_[std::size_t(k)];
       if (refined_.contains(one.model.sequence)) return;
       rescale(one.model, spectrum_, nuisance_.scale, nuisance_.aspect);
-      one.fit = {nuisance_, grain_cost(one.model, nuisance_, spectrum_), occam_};
+      const auto nuisance = carried_over(nuisance_, nuisance_of_, one.model);
+      one.fit = {nuisance, grain_cost(one.model, nuisance, spectrum_), occam_};
     });
     std::sort(pool_.begin(), pool_.end(), likelier);
   }
@@ -136,6 +138,7 @@ class Beam {
   const GrainSpectrum& spectrum_;
   SequenceSearchOptions options_;
   GrainNuisance nuisance_;
+  GrainModel nuisance_of_;  // the sequence whose it is
   double occam_ = 0.0;
   std::set<std::string> known_, expanded_, refined_;
 };

@@ -66,6 +66,22 @@ TEST(ForgedFit, NamesTheSequenceOfACleanPicture) {
   EXPECT_GT(fit.posterior.front().probability, 0.99);
 }
 
+TEST(ForgedFit, NamesTheSequenceOfAWholeBlockWithLevels) {
+  // Most of its power is grain and most of its cells are the error of quantising, whose slopes
+  // another sequence may take for its own.
+  Surface surface;
+  surface.extent = {400, 600};
+  surface.mask = full_mask(surface.extent);
+  auto block = forged_block({.sequence = "CRRRRRC"}, {400, 600}, 15);
+  quantise(block, 70.0, 5.0);
+  for (float& g : block) g = linear_from_srgb(std::round(255.0f * g / 70.0f) / 255.0f);
+  surface.albedo = Image(std::move(block));
+  const auto fit =
+      fit_forged(surface, {.fewest_folds = 6, .most_folds = 8, .view = GrainView::block});
+  EXPECT_EQ(fit.material.sequence, "CRRRRRC");
+  EXPECT_GT(fit.posterior.front().probability, 0.9);
+}
+
 TEST(ForgedFit, GivesProbabilitiesThatSumToOne) {
   const auto fit = fit_forged(photographed("CRRC", {128, 128}, 13, 0.3, true),
                               {.most_folds = 6, .view = GrainView::block});

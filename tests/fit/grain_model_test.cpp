@@ -42,6 +42,20 @@ TEST(GrainModel, IsTheSameAfterAnotherScale) {
   EXPECT_EQ(other.variance, model.variance);
 }
 
+TEST(GrainModel, TakesTheSlopesAtTheEdgesOfLevelsFromAnother) {
+  const auto spectrum = noise_spectrum();
+  const auto steep = grain_model("CR", HammerKernel::both, spectrum);
+  const auto drawn = grain_model("CCCR", HammerKernel::both, spectrum);
+  const GrainNuisance seen{.steeper_x = 0.9, .steeper_y = 1.2};
+  const auto carried = carried_over(seen, steep, drawn);
+  EXPECT_DOUBLE_EQ(carried.steeper_x * drawn.slope_x, seen.steeper_x * steep.slope_x);
+  EXPECT_DOUBLE_EQ(carried.steeper_y * drawn.slope_y, seen.steeper_y * steep.slope_y);
+  // Slopes that a sequence does not have by itself cost it something, also where levels are so fine
+  // that nothing is seen of them.
+  const GrainNuisance fine{.step = 1e-6, .steeper_x = carried.steeper_x};
+  EXPECT_GT(grain_cost(drawn, fine, spectrum), grain_cost(drawn, {.step = 1e-6}, spectrum) + 1.0);
+}
+
 TEST(GrainModel, ExpectsTheVarianceOfNoiseAndLevels) {
   const auto spectrum = noise_spectrum();
   const auto model = grain_model("CR", HammerKernel::both, spectrum);
