@@ -107,12 +107,12 @@ std::string random_sequence(int folds, Seed seed) {
 
 Surface picture(const std::string& sequence, const ForgedStudyOptions& o, Seed seed) {
   auto block = forged_block({.sequence = sequence}, {2048, 4096}, seed);
-  quantise(block, 70.0, o.degraded ? 5.0 : 0.0);
+  quantise(block, 70.0, o.picture == GrainPicture::clean ? 0.0 : 5.0);
   // Well inside, where the rim of the block is not felt.
   const int row = 400 + int(300 * uniform(seed, 1, 7)), col = 600 + int(900 * uniform(seed, 2, 7));
   Grid<float> grey =
       o.turned ? photographed(block, row, col, o, seed + 2) : crop(block, row, col, o.rows, o.cols);
-  if (o.degraded) {
+  if (o.picture == GrainPicture::photograph) {
     degrade(grey, seed + 1);
   } else {
     for (float& g : grey) g /= 70.0f;

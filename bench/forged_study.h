@@ -14,14 +14,18 @@ struct PaperGrain {
 };
 std::vector<PaperGrain> paper_grains();
 
+/// What pictures are of: grey values without levels; as a block is made, 70 grey values in steps of
+/// 5; or what a camera makes of these, blur 0.7 px, noise 10 %, a tone of its own, 8 bits.
+enum class GrainPicture { clean, made, photograph };
+
 struct ForgedStudyOptions {
   int pictures = 24;
   int rows = 512;
   int cols = 1024;
   int folds = 6;
   bool length_known = true;  // all sequences of that length are the candidates
-  bool turned = false;   // by up to 4 degrees, scaled and stretched; otherwise the view is known
-  bool degraded = true;  // c 70, d 5, blur 0.7 px, noise 10 %, a tone of its own, 8 bits
+  bool turned = false;  // by up to 4 degrees, scaled and stretched; otherwise the view is known
+  GrainPicture picture = GrainPicture::photograph;
 };
 
 /// How often the folds of pictures from the middle of blocks are named, as shares.
