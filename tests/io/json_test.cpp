@@ -153,6 +153,29 @@ struct Cloth {
   }
 };
 
+template <class T = double>
+struct Sail {
+  T area_mm2{1.0};
+  T bend{0.0};
+  static constexpr auto fields() {
+    using F = Field<Sail, T>;
+    return std::array{F{"area_mm2", &Sail::area_mm2, 0.0, 10.0, Scale::linear, "mm^2", ""},
+                      F{"bend", &Sail::bend, -1.0, 1.0, Scale::linear, "", "", true}};
+  }
+};
+
+TEST(MaterialJson, LeavesOutWhatIsOptionalAndZero) {
+  Sail<> sail{.area_mm2 = 0.0};
+  EXPECT_EQ(json_of(sail), Json::parse(R"({"area_mm2": 0.0})"));
+  const auto plain = material_from<Sail<>>(JsonObject(json_of(sail), "sail.json"));
+  EXPECT_EQ(plain.bend, 0.0);
+  sail.bend = -0.5;
+  const auto bent = material_from<Sail<>>(JsonObject(json_of(sail), "sail.json"));
+  EXPECT_EQ(bent.bend, -0.5);
+  const Json no_area = Json::parse(R"({"bend": 0.5})");
+  EXPECT_THROW(material_from<Sail<>>(JsonObject(no_area, "sail.json")), Error);
+}
+
 TEST(MaterialJson, ReturnsTheMaterialItCameFrom) {
   Cloth<> cloth;
   cloth.turn_rad = 1.25;
