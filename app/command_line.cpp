@@ -225,6 +225,10 @@ void add_modelling(Commands& commands) {
                                  "instead of a surface that tiles")
                      ->type_name("X Y")
                      ->expected(2);
+                 command.add_flag("--blender", a.blender,
+                                  "also write wood.py: the stem of wood as nodes of Blender 3.4");
+                 command.add_flag("--materialx", a.materialx,
+                                  "also write wood.mtlx: the same as a MaterialX document");
                  add_out(command, a, "surface folder to write")->required();
                });
   commands.add("contact", "Put what material files describe side by side",

@@ -117,8 +117,7 @@ double WoodSolid::fluctuation_at(double year, double z) const {
          (fractal_noise(fluctuation_, z / size, year / 4.0) - at_zero);
 }
 
-/// The phase of Kawai's equation 3: integral of G / r from 0 to z.
-double WoodSolid::turn_at(double r, double year, double z) const {
+double WoodSolid::arc_of(double year, double z) const {
   const double wave = turn / wood_.wave_length_mm;
   double arc = wood_.spiral * z;
   if (wood_.wave_amplitude > 0.0) {
@@ -129,7 +128,12 @@ double WoodSolid::turn_at(double r, double year, double z) const {
            std::sin(turn * year / wood_.interlock_period + wood_.interlock_phase_rad);
   }
   if (wood_.fluctuation > 0.0) arc += fluctuation_at(year, z);
-  return arc / std::max(r, 1e-6);
+  return arc;
+}
+
+/// The phase of Kawai's equation 3: integral of G / r from 0 to z.
+double WoodSolid::turn_at(double r, double year, double z) const {
+  return arc_of(year, z) / std::max(r, 1e-6);
 }
 
 WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
@@ -153,6 +157,10 @@ WoodSolid::Place WoodSolid::place_at(const StemVector& at) const {
   place.section_x = place.rho * std::cos(place.angle);
   place.section_y = place.rho * std::sin(place.angle);
   return place;
+}
+
+WoodSolid::Place WoodSolid::place_in_section(double rho, double angle) const {
+  return {rho, angle, rho, year_at(rho), angle, rho * std::cos(angle), rho * std::sin(angle)};
 }
 
 double WoodSolid::gradient_at(const Place& place, double z) const {

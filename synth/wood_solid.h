@@ -23,6 +23,12 @@ class WoodSolid {
   };
   Place place_at(const StemVector& at) const;
 
+  /// The same of a place in the section, where fibres cross z = 0 and rings are round.
+  Place place_in_section(double rho, double angle) const;
+
+  /// How far a fibre has run along its ring from z = 0 to z, mm: the integral of its gradient.
+  double arc_at(double rho, double z) const { return arc_of(year_at(rho), z); }
+
   /// The fibre gradient there: slope of the fibre on its ring.
   double gradient_at(const Place& place, double z) const;
 
@@ -37,6 +43,7 @@ class WoodSolid {
   double year_at(double rho) const;
   double radius_of(double year) const;
   double fluctuation_at(double year, double z) const;
+  double arc_of(double year, double z) const;
   double turn_at(double r, double year, double z) const;
   double shade_at(const Place& place, double soft_mm) const;
   double scattered_vessels(const Place& place, double soft_mm) const;

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "app/blender_script.h"
 #include "app/files.h"
 #include "app/material_file.h"
+#include "app/materialx_file.h"
 #include "app/telling.h"
 #include "core/error.h"
+#include "io/image_file.h"
 #include "io/json.h"
 #include "io/surface_file.h"
 #include "synth/synthesize.h"
@@ -42,12 +45,35 @@ Extent extent_for(const SynthArguments& arguments, const MaterialFile& file) {
   return extent;
 }
 
+/// The stem that programs which carve are given; nothing if none is asked for.
+std::optional<Wood<>> wood_to_carve(const SynthArguments& arguments, const Material& material) {
+  if (!arguments.blender && !arguments.materialx) return {};
+  const char* option = arguments.blender ? "--blender" : "--materialx";
+  const auto* wood = std::get_if<Wood<>>(&material);
+  if (!wood) {
+    throw Error(arguments.material.string() + ": " + option + " is for wood, a solid; this is " +
+                std::string(name_of(material)));
+  }
+  if (arguments.at.empty()) return *wood;
+  return with_cut_moved(*wood, {arguments.at[0], arguments.at[1]});
+}
+
+/// The stem for other programs, with the pictures that it looks things up in.
+void put_stem(Output& output, const Wood<>& wood, const Extent& extent, Seed seed,
+              const SynthArguments& arguments) {
+  const WoodGraph graph = wood_graph(wood, extent, seed);
+  for (const auto& [name, picture] : graph.pictures) write_exr(output.file(name + ".exr"), picture);
+  if (arguments.blender) put_text(output, "wood.py", blender_script(graph, wood, extent));
+  if (arguments.materialx) put_text(output, "wood.mtlx", materialx_document(graph, "albedo.exr"));
+}
+
 }  // namespace
 
 void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
   const MaterialFile file = read_material(arguments.material);
   const Extent extent = extent_for(arguments, file);
   const Seed seed = arguments.seed.value_or(file.seed.value_or(1));
+  const auto carved = wood_to_carve(arguments, file.material);
   terminal.step("making " + size_text(extent) + " pixels of " +
                 std::string(name_of(file.material)));
   const Surface surface =
@@ -60,6 +86,7 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
   Output output(arguments.out);
   write_surface(output, "", surface, notes.dump(1));
   put_previews(output, "", surface);
+  if (carved) put_stem(output, *carved, extent, seed, arguments);
   output.commit();
 
   terminal.say(fmt::format("made {} pixels of {} ({:.4g} x {:.4g} {}, seed {})", size_text(extent),
