@@ -17,11 +17,10 @@ namespace hada {
 /// fall into one cell of a lattice of the window's pitch share its number.
 ///
 /// middle   of the window on the sheet, in the unit of the extent
-/// returns  heights with the power spectral density of `wrinkle` (which ridges change a little:
-/// what
-///          gives the power back in a tile is not local, and is left out here); windows of one
-///          pitch that lie a whole number of pixels apart agree where they overlap. They do not
-///          tile, and their mean is not taken off.
+/// returns  heights with the power spectral density of `wrinkle` (a little changed by ridges: what
+///          gives it back in a tile is not local, and left out here); windows of one pitch that lie
+///          a whole number of pixels apart agree where they overlap. They do not tile, and their
+///          mean is not taken off.
 Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
                           const std::array<double, 2>& middle, Seed seed);
 

@@ -38,8 +38,8 @@ struct WrinkleComponent {
 ///
 /// h(x) = sum_k a_k (G_k * w_k)(x), w_k white Gaussian noise, G_k a Gaussian ellipse of unit
 /// L2 norm. Source: Kiso, Mao, Toyoura, section 3 (kernel as restored in docs/methods.md).
-/// `skew`, `tail` and `sharpness` lay ridges over it (synth/ridges.h); they leave the spectrum
-/// alone.
+/// `skew`, `tail` and `sharpness` lay ridges over it (synth/ridges.h); they hardly touch the
+/// spectrum.
 template <class T = double>
 struct Wrinkle {
   static constexpr std::string_view name = "wrinkle";

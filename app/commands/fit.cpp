@@ -24,7 +24,7 @@ void fit_command(const FitArguments& arguments, const Terminal& terminal) {
                 arguments.material);
   }
   if (arguments.ridges && arguments.material != Wrinkle<>::name)
-    throw Error("--ridges: lie over wrinkles; leave it out for " + arguments.material);
+    throw Error("--ridges: they lie over wrinkles; leave it out for " + arguments.material);
   terminal.step("reading " + arguments.input.string());
   const Surface surface = read_surface(arguments.input, arguments.pitch_mm);
   std::optional<Surface> face;
