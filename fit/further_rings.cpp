@@ -94,7 +94,8 @@ std::vector<double> further_rings(const std::vector<BlockFace>& faces, const Gro
   std::vector<double> usual;
   for (const double radius : radii) usual.push_back(strength_at(radius));
   const double least = faint * median(std::move(usual));
-  // Nearest to those that are known first: what lies beyond a gap may be the next but one.
+  // From the inside out, and only near those that are known, to which each that is found is added:
+  // what lies beyond a wide gap may be the next but one.
   std::vector<double> found, known = radii;
   const auto distance = [&](double radius) {
     double least_distance = HUGE_VAL;
