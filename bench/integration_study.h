@@ -40,6 +40,15 @@ struct SolverRun {
 
 SolverRun run_ours(const IntegrationScene& scene, int repeats, int threads = 1);
 
+/// Weights between 1e-6 and 1: equal ones, waves, a disc that hardly counts, pixel by pixel.
+enum class WeightKind { equal, smooth, disc, random };
+
+/// Cycles and error; the time is not taken.
+SolverRun run_weighted(const IntegrationScene& scene, WeightKind kind);
+
+/// Whether the height has the same bytes on one and on two threads.
+bool same_at_two_threads(const IntegrationScene& scene);
+
 /// One height of a scene that lies in files in `folder`, by all threads: wall time, and the most
 /// memory beside the files.
 SolverRun run_on_disk(MaskKind kind, int size, const std::filesystem::path& folder);

@@ -12,13 +12,13 @@
 #include <fmt/format.h>
 
 #include "bench/accuracy.h"
-#include "bench/integration_study.h"
 #include "bench/light_study.h"
 #include "bench/normals_speed.h"
 #include "bench/normals_study.h"
 #include "bench/process.h"
 #include "bench/results_fold.h"
 #include "bench/results_forged.h"
+#include "bench/results_height.h"
 #include "bench/results_knit.h"
 #include "bench/results_loop.h"
 #include "bench/results_page.h"
@@ -168,40 +168,6 @@ std::string estimators() {
   return page;
 }
 
-std::string integration_speed() {
-  say("integration, beside other solvers");
-  std::string page =
-      table("Normals to height: processor time on one thread, setup included",
-            "| mask | solver | time | passes over the array | times hada | error, rms |");
-  struct Case {
-    hada::MaskKind kind;
-    const char* name;
-    int size;
-  };
-  for (const Case& one :
-       {Case{hada::MaskKind::irregular, "irregular", 1024},
-        Case{hada::MaskKind::irregular, "irregular", 4096},
-        Case{hada::MaskKind::slits, "slits", 4096}, Case{hada::MaskKind::full, "none", 4096}}) {
-    const auto [kind, name, size] = one;
-    const double pass = hada::one_pass_seconds(size);
-    const auto scene = hada::integration_scene(kind, size);
-    const auto ours = hada::run_ours(scene, 5);
-    const auto add = [&](const hada::SolverRun& run) {
-      page += row({fmt::format("{}, {} x {}", one.name, one.size, one.size), run.solver,
-                   fmt::format("{:.3f} s", run.seconds), fmt::format("{:.0f}", run.seconds / pass),
-                   fmt::format("{:.1f}", run.seconds / ours.seconds),
-                   fmt::format("{:.1e} px", run.error_px)});
-    };
-    add(ours);
-    if (size == 1024) add(hada::run_eigen_cg(scene));
-    if (size == 1024 || kind == hada::MaskKind::full) {
-      for (const auto& run : hada::run_peers(scene)) add(run);
-    }
-  }
-  return page +
-         "\nA pass reads an array of floats of that size once; the small one stays in the cache.\n";
-}
-
 std::string depth_from_normals() {
   const fs::path data = hada::data_folder();
   std::string page =
@@ -289,7 +255,7 @@ int main(int argc, char** argv) {
       {"virtual", hada::virtual_captures},
       {"loop", hada::closed_loop},
       {"depth", depth_from_normals},
-      {"height", integration_speed},
+      {"height", hada::height_results},
       {"wrinkle", hada::wrinkle_results},
       {"ridges", hada::ridge_results},
       {"fold", hada::fold_results},
