@@ -189,6 +189,22 @@ void add_modelling(Commands& commands) {
                 "of wood: whether the input is an end-grain or a face; of forged: block if a "
                 "pixel is a place of the block and none is turned (default: automatic)")
             ->check(CLI::IsMember({"automatic", "end-grain", "face", "block"}));
+        command.add_option("--pulled", a.pulled,
+                           "of knit: photographs of one piece pulled between clamps, its middle "
+                           "in theirs, same pitch");
+        command
+            .add_option("--stretch", a.stretches,
+                        "of the piece in each of them: length over that at rest")
+            ->check(CLI::Range(1.0, 10.0));
+        command.add_option("--along", a.along, "its pull: wale (default) or course")
+            ->check(CLI::IsMember({"wale", "course"}));
+        command.add_option("--clamp", a.clamp, "its clamps: three-points (default) or uniform")
+            ->check(CLI::IsMember({"uniform", "three-points"}));
+        command.add_option("--courses", a.courses, "of the piece, those that are held included")
+            ->check(CLI::Range(3, 2000));
+        command.add_option("--wales", a.wales, "of the piece")->check(CLI::Range(3, 2000));
+        command.add_option("--crossings", a.crossings,
+                           "folder to write the crossings that were tracked into, with pictures");
         command.add_option("--report", a.report,
                            "of forged: page to write (HTML) with picture, new piece, spectrum and "
                            "the sequences with their probabilities");

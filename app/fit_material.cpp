@@ -1,5 +1,6 @@
 #include "app/fit_material.h"
 
+#include "app/knit_files.h"
 #include "app/measurement.h"
 #include "fit/knit.h"
 #include "fit/wood.h"
@@ -16,8 +17,24 @@ WrinkleFit fit_like(const Wrinkle<>&, const Surface& surface, const FitMaterialO
                                .progress = options.progress});
 }
 
+// What the knit at rest does not show, from photographs of it pulled.
+void add_pulled(Fit<Knit<>>& fit, const Surface& rest, PulledKnitInput& pulled) {
+  pulled.found = fit_photographs(rest, fit.material, repeat_of(fit.material), pulled.photographs,
+                                 pulled.piece);
+  const KnitStiffness& stiffness = pulled.found.stiffness;
+  fit.material.stiffness_ratio = stiffness.ratio.value;
+  fit.material.yarn_coefficient = stiffness.continuity.value;
+  fit.sigma.stiffness_ratio = stiffness.ratio.sigma;
+  fit.sigma.yarn_coefficient = stiffness.continuity.sigma;
+  std::erase(fit.remarks, knit_at_rest_remark);
+  for (const auto& remark : pulled.found.remarks) fit.remarks.push_back(remark);
+  for (const auto& remark : stiffness.remarks) fit.remarks.push_back(remark);
+}
+
 Fit<Knit<>> fit_like(const Knit<>&, const Surface& surface, const FitMaterialOptions& options) {
-  return fit_knit(surface, {.courses = options.components});
+  auto fit = fit_knit(surface, {.courses = options.components});
+  if (options.pulled) add_pulled(fit, surface, *options.pulled);
+  return fit;
 }
 
 Fit<Wood<>> fit_like(const Wood<>&, const Surface& surface, const FitMaterialOptions& options) {

@@ -33,6 +33,12 @@ void add_pull(Commands& commands, CLI::App& knit) {
             .add_option("--noise", a.noise, "of the crossings written, over a wale (default: 0)")
             ->check(CLI::Range(0.0, 1.0));
         command.add_option("--seed", a.seed, "of the noise (default: 1)");
+        command
+            .add_option("--photographs", a.photograph_pitch,
+                        "write made photographs too, of the knit at rest and of each state, with "
+                        "this distance between pixels")
+            ->check(positive())
+            ->type_name("MM");
         add_out(command, a, "folder to write (default: pulled)");
       });
 }

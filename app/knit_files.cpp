@@ -22,8 +22,13 @@ KnitCrossings::State state_from(JsonObject object, int points) {
     object.fail("places_mm", "must have courses x wales = " + std::to_string(points) + " places");
   }
   for (const Json& place : places) {
+    if (place.is_null()) {  // not seen
+      state.places_mm.push_back(Eigen::Vector3d::Constant(NAN));
+      continue;
+    }
     if (!place.is_array() || place.size() != 2 || !place[0].is_number() || !place[1].is_number()) {
-      object.fail("places_mm", "must hold pairs of numbers, [x, y]");
+      object.fail("places_mm",
+                  "must hold pairs of numbers, [x, y], or null where one was not seen");
     }
     state.places_mm.emplace_back(place[0].get<double>(), place[1].get<double>(), 0.0);
     if (!state.places_mm.back().allFinite()) object.fail("places_mm", "must be finite");
@@ -64,6 +69,9 @@ KnitCrossings read_crossings(const std::filesystem::path& path) {
     throw Error(path.string() + ": wale_mm and course_mm, at rest, must be greater than 0");
   }
   crossings.clamp = clamp_named(object.text("clamp"));
+  const std::string frame = object.text("frame", "clamps");
+  if (frame != "clamps" && frame != "picture") object.fail("frame", "must be clamps or picture");
+  crossings.frame_known = frame == "clamps";
   crossings.repeat.clear();
   for (const Json& yarn : object.list("repeat")) {
     if (!yarn.is_number_integer()) object.fail("repeat", "must hold 0 (nylon) and 1 (support)");
@@ -88,11 +96,14 @@ std::string crossings_text(const KnitCrossings& crossings) {
                {"wale_mm", net.wale_length},
                {"course_mm", net.course_length},
                {"clamp", crossings.clamp == KnitClamp::uniform ? "uniform" : "three-points"},
+               {"frame", crossings.frame_known ? "clamps" : "picture"},
                {"repeat", crossings.repeat},
                {"states", Json::array()}};
   for (const auto& state : crossings.states) {
     Json places = Json::array();
-    for (const auto& p : state.places_mm) places.push_back({p.x(), p.y()});
+    for (const auto& p : state.places_mm) {
+      places.push_back(p.allFinite() ? Json({p.x(), p.y()}) : Json());
+    }
     json["states"].push_back({{"along", state.pull == KnitPull::wale ? "wale" : "course"},
                               {"stretch", state.stretch},
                               {"places_mm", places}});

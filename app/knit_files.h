@@ -14,6 +14,7 @@ struct KnitCrossings {
   KnitNet net;  // its courses, wales, lengths at rest
   std::vector<int> repeat = {0, 1};
   KnitClamp clamp = KnitClamp::uniform;
+  bool frame_known = true;  // places count from the middle of the knit; else from that of a picture
   struct State {
     KnitPull pull = KnitPull::wale;
     double stretch = 1.0;

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "bench/knit_study.h"
+#include "bench/knit_tracking_study.h"
 
 int main(int count, char** words) {
   const int seeds = count > 1 ? std::atoi(words[1]) : 40;
@@ -22,9 +23,10 @@ int main(int count, char** words) {
   for (const auto clamp : {KnitClamp::uniform, KnitClamp::three_points}) {
     for (const auto pull : {KnitPull::wale, KnitPull::course}) {
       const auto bound = hada::clamp_bounds(pull, clamp);
-      std::printf("%s clamps, along the %ss: ratio known to %.3g, c to %.3g\n",
+      std::printf("%s clamps, along the %ss: rank %d, ratio known to %.3g, c to %.3g\n",
                   clamp == KnitClamp::uniform ? "uniform" : "three-point",
-                  pull == KnitPull::wale ? "wale" : "course", bound[0], bound[1]);
+                  pull == KnitPull::wale ? "wale" : "course", bound.rank, 10.0 * bound.log_ratio,
+                  bound.continuity);
     }
   }
   const auto s = hada::study_stiffness(seeds);
@@ -33,6 +35,13 @@ int main(int count, char** words) {
       "%.2f s each\n",
       seeds, s.ratio_spread, s.ratio_bound, s.continuity_spread, s.continuity_bound,
       100.0 * s.coverage, s.seconds_median);
+  std::fflush(stdout);
+  const auto t = hada::study_tracking(seeds / 10);
+  std::printf(
+      "%d of %d pairs of photographs: crossings +- %.3f px (%.4f wales); ratio off %.4f (sigma "
+      "%.4f), c off %.5f (sigma %.5f), 95 %% intervals hold %.1f %%; %.1f s each\n",
+      t.found, t.trials, t.off_px, t.off_wales, t.ratio_error, t.ratio_sigma, t.continuity_error,
+      t.continuity_sigma, 100.0 * t.coverage, t.seconds);
   std::fflush(stdout);
   const auto lattice = hada::study_lattice(12);
   std::printf("12 made pictures: wale %.4f %% (median %.4f), course %.4f %% (median %.4f)\n",

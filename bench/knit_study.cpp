@@ -119,7 +119,7 @@ StiffnessStudy study_stiffness(int seeds) {
   });
   StiffnessStudy study;
   const auto bound = clamp_bounds(KnitPull::wale, clamp);
-  study.ratio_bound = bound[0], study.continuity_bound = bound[1];
+  study.ratio_bound = ratio * bound.log_ratio, study.continuity_bound = bound.continuity;
   std::vector<double> seconds;
   for (const Trial& trial : trials) {
     study.ratio_spread += trial.ratio_error * trial.ratio_error / seeds;
@@ -133,9 +133,8 @@ StiffnessStudy study_stiffness(int seeds) {
   return study;
 }
 
-std::array<double, 2> clamp_bounds(KnitPull pull, KnitClamp clamp) {
-  const auto bound = stiffness_bounds(net_of(16), {0, 1}, clamp, exact(pull, clamp), ratio, noise);
-  return {ratio * bound[0], bound[1]};
+StiffnessBounds clamp_bounds(KnitPull pull, KnitClamp clamp) {
+  return stiffness_bounds(net_of(16), {0, 1}, clamp, exact(pull, clamp), ratio, noise);
 }
 
 }  // namespace hada

@@ -38,8 +38,8 @@ struct StiffnessStudy {
 };
 StiffnessStudy study_stiffness(int seeds);
 
-/// Least deviations of (ratio, c) at the same knit and noise, for a pull and a clamp.
-std::array<double, 2> clamp_bounds(KnitPull pull, KnitClamp clamp);
+/// What the same knit and noise tell at best for a pull and a clamp; `log_ratio` at the ratio 10.
+StiffnessBounds clamp_bounds(KnitPull pull, KnitClamp clamp);
 
 /// Largest relative errors of spacings over made pictures of knits of random shape.
 struct LatticeStudy {

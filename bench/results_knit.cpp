@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/knit_study.h"
+#include "bench/knit_tracking_study.h"
 #include "bench/results_page.h"
 
 namespace hada {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int seeds = 200;
 constexpr int pictures = 12;
+constexpr int photographs = 20;
 
 std::string rest_rows() {
   const auto patch = study_patch();
@@ -49,6 +51,51 @@ std::string stiffness_rows() {
          row({"95 % intervals that hold the truth, %", "93 to 97",
               fmt::format("{:.1f}", 100.0 * s.coverage),
               verdict(s.coverage >= 0.93 && s.coverage <= 0.97)});
+}
+
+std::string identifiable(const StiffnessBounds& b) {
+  constexpr double unknown = 1.0;
+  const auto text = [](double sigma, const char* format) {
+    return sigma > unknown ? std::string("nothing") : fmt::format(fmt::runtime(format), sigma);
+  };
+  return fmt::format("rank {}; {}, {}", b.rank, text(b.log_ratio, "{:.4f}"),
+                     text(b.continuity, "{:.4f}"));
+}
+
+// What is known of (ln ratio, c) at best, which is no demand: it has no verdict.
+std::string clamp_rows() {
+  std::string page;
+  for (const auto clamp : {KnitClamp::uniform, KnitClamp::three_points}) {
+    for (const auto pull : {KnitPull::course, KnitPull::wale}) {
+      page +=
+          row({fmt::format("{} clamps, along the {}s: rank, sigma of ln ratio, of c at 2 % noise",
+                           clamp == KnitClamp::uniform ? "uniform" : "three-point",
+                           pull == KnitPull::course ? "course" : "wale"),
+               clamp == KnitClamp::uniform ? "rank 1" : "rank 2",
+               identifiable(clamp_bounds(pull, clamp)),
+               verdict(clamp_bounds(pull, clamp).rank == (clamp == KnitClamp::uniform ? 1 : 2))});
+    }
+  }
+  return page;
+}
+
+std::string tracking_rows() {
+  const auto s = study_tracking(photographs);
+  return row({fmt::format("{} made pairs of photographs, three-point clamps at 1.2 and 1.5: "
+                          "crossings found",
+                          s.trials),
+              "all", fmt::format("{}", s.found), verdict(s.found == s.trials)}) +
+         row({"a crossing tracked, each way: px, share of a wale (2 % was asked of positions)",
+              "sub-pixel", fmt::format("{:.2f}, {:.4f}", s.off_px, s.off_wales),
+              verdict(s.off_px < 0.5)}) +
+         row({"ratio 10 from the photographs: error, rms; sigma as told", "within 1.3 sigma",
+              fmt::format("{:.3f}; {:.3f}", s.ratio_error, s.ratio_sigma),
+              verdict(s.ratio_error < 1.3 * s.ratio_sigma)}) +
+         row({"yarn coefficient 0.2: error, rms; sigma as told", "within 1.3 sigma",
+              fmt::format("{:.4f}; {:.4f}", s.continuity_error, s.continuity_sigma),
+              verdict(s.continuity_error < 1.3 * s.continuity_sigma)}) +
+         row({fmt::format("95 % intervals of both that hold the truth, % of {}", 2 * s.found),
+              "85 to 100", fmt::format("{:.1f}", 100.0 * s.coverage), verdict(s.coverage >= 0.85)});
 }
 
 std::string lattice_rows() {
@@ -97,7 +144,8 @@ std::string photograph_rows(const std::filesystem::path& folder) {
 
 std::string knit_results(const std::filesystem::path& data) {
   std::string page = table("Knit", "| figure | must be | measured | |") + rest_rows() +
-                     worn_rows() + stiffness_rows() + lattice_rows();
+                     worn_rows() + stiffness_rows() + clamp_rows() + tracking_rows() +
+                     lattice_rows();
   const auto rendered = data / "rendered" / "knit_flat";
   if (std::filesystem::exists(rendered)) page += rendered_rows(rendered);
   return page + photograph_rows(data / "knit");

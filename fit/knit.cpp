@@ -135,9 +135,7 @@ std::vector<std::string> remarks_on(const LatticeFit& lattice, const Choice& cho
         "The loop of plain knit explains the mean stitch badly: do not rely on the "
         "yarn radius, the loop and the colours.");
   }
-  remarks.push_back(
-      "A picture at rest shows neither stiffness_ratio nor yarn_coefficient; they are the paper's "
-      "defaults, with a sigma of 0.");
+  remarks.push_back(knit_at_rest_remark);
   return remarks;
 }
 

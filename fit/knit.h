@@ -6,6 +6,11 @@
 
 namespace hada {
 
+/// The remark that every fit of one picture makes.
+inline constexpr const char* knit_at_rest_remark =
+    "A picture at rest shows neither stiffness_ratio nor yarn_coefficient; they are the paper's "
+    "defaults, with a sigma of 0.";
+
 struct KnitFitOptions {
   int courses = 0;  // of the colour repeat; 0: the data decide
 };

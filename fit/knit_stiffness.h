@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,11 +12,14 @@ namespace hada {
 struct KnitState {
   KnitPull pull = KnitPull::wale;
   double stretch = 1.0;
-  Places places;  // of all crossings, as `KnitNet` counts them, in the frame of `pulled`
+  Places places;  // of all crossings, as `KnitNet` counts them, in the frame of `pulled`; one that
+                  // was not seen is not finite
 };
 
 struct KnitStiffnessOptions {
   bool lengths_known = true;          // at rest; false: they are found too, from those of the net
+  bool frame_known = true;            // false: places are seen from somewhere, up to shift, turn
+                                      // and scale in each state; those that are held tell it
   std::optional<double> load_N = {};  // on the clamps in the last state
 };
 
@@ -57,10 +59,17 @@ KnitStiffness knit_stiffness(const KnitNet& net, const std::vector<int>& repeat,
                              const std::vector<KnitState>& states,
                              const KnitStiffnessOptions& options = {});
 
-/// The least standard deviations that any unbiased estimate of (logarithm of the ratio, continuity)
-/// can have, for crossings located to `noise_mm` (Cramer and Rao); huge where nothing is known.
-std::array<double, 2> stiffness_bounds(const KnitNet& net, const std::vector<int>& repeat,
-                                       KnitClamp clamp, const std::vector<KnitState>& states,
-                                       double ratio, double noise_mm);
+/// The least standard deviations that any unbiased estimate can have (Cramer and Rao); huge where
+/// nothing is known.
+struct StiffnessBounds {
+  double log_ratio = 0.0;
+  double continuity = 0.0;
+  int rank = 0;  // how many of the two, or of mixtures of them, move any crossing at all
+};
+
+/// For crossings located to `noise_mm`.
+StiffnessBounds stiffness_bounds(const KnitNet& net, const std::vector<int>& repeat,
+                                 KnitClamp clamp, const std::vector<KnitState>& states,
+                                 double ratio, double noise_mm);
 
 }  // namespace hada

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/terminal.h"
 
@@ -19,6 +20,14 @@ struct FitArguments {
   std::string view = "automatic";  // or, of wood, end-grain or face; of forged steel, block
   std::filesystem::path report;    // of forged steel: page to write; may be empty
   std::filesystem::path face;      // of wood: picture of the tangential face; may be empty
+  // Of knit: photographs of one piece, each pulled to a stretch; may be none.
+  std::vector<std::filesystem::path> pulled;
+  std::vector<double> stretches;
+  std::string along = "wale";
+  std::string clamp = "three-points";
+  int courses = 0;  // of the piece, clamped ones included
+  int wales = 0;
+  std::filesystem::path crossings;  // folder to write what was tracked into; may be empty
 };
 
 /// Finds the parameters of a material that explain a surface.

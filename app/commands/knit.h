@@ -22,6 +22,7 @@ struct KnitPullArguments {
   bool as_the_paper = false;  // by its steps instead of Newton's
   double noise = 0.0;         // of the crossings written, over the distance of wales
   Seed seed = 1;
+  std::optional<double> photograph_pitch;  // mm: made photographs are written too
 };
 
 /// Pulls a flat knit and writes where its crossings come to rest, with a picture.

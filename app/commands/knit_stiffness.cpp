@@ -19,9 +19,10 @@ void knit_stiffness_command(const KnitStiffnessArguments& arguments, const Termi
   terminal.step("fitting the rest of the knit");
   KnitStiffness found;
   try {
-    found =
-        knit_stiffness(crossings.net, crossings.repeat, crossings.clamp, states,
-                       {.lengths_known = !arguments.lengths_unknown, .load_N = arguments.load_N});
+    found = knit_stiffness(crossings.net, crossings.repeat, crossings.clamp, states,
+                           {.lengths_known = !arguments.lengths_unknown,
+                            .frame_known = crossings.frame_known,
+                            .load_N = arguments.load_N});
   } catch (const Error& error) {
     throw Error(arguments.crossings.string() + ": " + error.what());
   }

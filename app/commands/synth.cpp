@@ -13,6 +13,7 @@
 #include "io/image_file.h"
 #include "io/json.h"
 #include "io/surface_file.h"
+#include "synth/knit_tile.h"
 #include "synth/synthesize.h"
 
 namespace hada {
@@ -87,6 +88,10 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
   write_surface(output, "", surface, notes.dump(1));
   put_previews(output, "", surface);
   if (carved) put_stem(output, *carved, extent, seed, arguments);
+  // Only knit has holes; a window without end has no tile to cut them from.
+  if (const auto* knit = std::get_if<Knit<>>(&file.material); knit && arguments.at.empty()) {
+    put_picture(output, "opacity.png", Image(tile_opacity(*knit, extent)));
+  }
   output.commit();
 
   terminal.say(fmt::format("made {} pixels of {} ({:.4g} x {:.4g} {}, seed {})", size_text(extent),

@@ -1,6 +1,7 @@
 #include "fit/knit_stiffness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -63,8 +64,8 @@ TEST(KnitStiffness, KnowsHowSureItIs) {
     sum += a * a + b * b;
     const auto least =
         stiffness_bounds(patch(), {0, 1}, KnitClamp::three_points, states, 10.0, noise);
-    EXPECT_NEAR(found.log_ratio_sigma, least[0], 0.2 * least[0]);
-    EXPECT_NEAR(found.continuity.sigma, least[1], 0.2 * least[1]);
+    EXPECT_NEAR(found.log_ratio_sigma, least.log_ratio, 0.2 * least.log_ratio);
+    EXPECT_NEAR(found.continuity.sigma, least.continuity, 0.2 * least.continuity);
   }
   EXPECT_LT(sum, 26.1);  // chi square of 8, exceeded once in a thousand
 }
@@ -74,14 +75,17 @@ TEST(KnitStiffness, SaysWhichClampTellsWhat) {
     return stiffness_bounds(patch(), {0, 1}, clamp, seen(pull, clamp, 10.0, 0.0, 1), 10.0, 0.04);
   };
   const auto wale = bound(KnitPull::wale, KnitClamp::uniform);
-  EXPECT_LT(wale[0], 0.1);
-  EXPECT_GT(wale[1], 10.0);
+  EXPECT_LT(wale.log_ratio, 0.1);
+  EXPECT_GT(wale.continuity, 10.0);
+  EXPECT_EQ(wale.rank, 1);
   const auto course = bound(KnitPull::course, KnitClamp::uniform);
-  EXPECT_GT(course[0], 10.0);
-  EXPECT_LT(course[1], 0.05);
+  EXPECT_GT(course.log_ratio, 10.0);
+  EXPECT_LT(course.continuity, 0.05);
+  EXPECT_EQ(course.rank, 1);
   const auto both = bound(KnitPull::wale, KnitClamp::three_points);
-  EXPECT_LT(both[0], 0.02);
-  EXPECT_LT(both[1], 0.05);
+  EXPECT_LT(both.log_ratio, 0.02);
+  EXPECT_LT(both.continuity, 0.05);
+  EXPECT_EQ(both.rank, 2);
   const auto states = seen(KnitPull::wale, KnitClamp::uniform, 10.0, 0.04, 1);
   const auto found = knit_stiffness(patch(), {0, 1}, KnitClamp::uniform, states);
   EXPECT_GE(found.remarks.size(), 3u);
@@ -126,6 +130,24 @@ TEST(KnitStiffness, FindsLengthsAtRestThatAreNotKnown) {
   EXPECT_NEAR(found.wale_mm.value, 2.0, 5.0 * found.wale_mm.sigma);
   EXPECT_NEAR(found.course_mm.value, 1.5, 5.0 * found.course_mm.sigma);
   EXPECT_LT(found.wale_mm.sigma, 0.01);
+}
+
+TEST(KnitStiffness, IsFoundWhereverThePictureWasTakenFrom) {
+  auto states = seen(KnitPull::wale, KnitClamp::three_points, 10.0, 0.02, 3);
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    for (auto& p : states[s].places) {
+      const double turn = 0.05 * (1.0 - 3.0 * double(s)), scale = 1.03;
+      p = scale * Eigen::Vector3d(std::cos(turn) * p.x() - std::sin(turn) * p.y() + 4.0,
+                                  std::sin(turn) * p.x() + std::cos(turn) * p.y() - 7.0, 0.0);
+    }
+    states[s].places[33].setConstant(NAN);  // one was hidden
+  }
+  const auto found =
+      knit_stiffness(patch(), {0, 1}, KnitClamp::three_points, states, {.frame_known = false});
+  EXPECT_NEAR(std::log(found.ratio.value / 10.0), 0.0, 4.0 * found.log_ratio_sigma);
+  EXPECT_NEAR(found.continuity.value, 0.2, 4.0 * found.continuity.sigma);
+  EXPECT_NEAR(found.noise_mm, 1.03 * 0.02, 0.15 * 0.02);
+  EXPECT_LT(found.log_ratio_sigma, 0.02);  // as with known frames: those that are held tell them
 }
 
 TEST(KnitStiffness, RefusesWhatHoldsNoAnswer) {
