@@ -19,8 +19,7 @@ TEST(KnitTile, IsOpaqueWhereYarnIsAndNotInItsHoles) {
     ASSERT_LE(opacity[k], 1.0f);
     const bool yarn = surface.albedo.planes[0][k] > 0.0f;
     // The middle of a pixel is one of the nine places that are asked.
-    if (yarn) EXPECT_GT(opacity[k], 0.0f);
-    if (!yarn) EXPECT_LT(opacity[k], 1.0f);
+    EXPECT_TRUE(yarn ? opacity[k] > 0.0f : opacity[k] < 1.0f) << k;
     hidden += yarn, all += opacity[k];
   }
   EXPECT_NEAR(all / hidden, 1.0, 0.02);
