@@ -17,14 +17,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double seen_likeness = 0.5;   // of a crossing that counts
-constexpr double found_likeness = 0.6;  // of all of a photograph, on the average
+constexpr double seen_likeness = 0.5;    // of a crossing that counts
+constexpr double found_likeness = 0.75;  // of all of a photograph, on the average
+
+/// Where crossings may be in a photograph, and how alike their stitches are there.
+struct Placed {
+  BentKnit bent;
+  double likeness = -1.0;
+};
 
 /// What a piece may look like when it is pulled, before anything is known of it.
 struct Hypothesis {
   int first;  // entry of the repeat that the lowest course is of
   double ratio, continuity;
   std::vector<Places> places = {};  // of each photograph, about its middle
+  std::vector<Placed> placed = {};  // in each photograph, where it fits best
   double score = 0.0;
 };
 
@@ -85,11 +92,6 @@ double mean_of(const std::vector<double>& values) {
   return sum / double(std::max<std::size_t>(values.size(), 1));
 }
 
-struct Placed {
-  BentKnit bent;
-  double likeness = -1.0;
-};
-
 /// The best of `places`, turned, at shifts of a quarter of a stitch, then of a twelfth.
 Placed placed(const Levels& levels, const KnitNet& net, const Places& places, int first,
               double turn) {
@@ -121,18 +123,47 @@ Placed placed(const Levels& levels, const KnitNet& net, const Places& places, in
   return best;
 }
 
-/// The hypothesis that is most like all photographs, unturned; the others after it.
-std::vector<Hypothesis> ranked(std::vector<Hypothesis> all, const std::vector<Levels>& levels,
-                               const KnitNet& net) {
-  for (Hypothesis& h : all) {
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// The best of `places` at some turns.
+Placed placed_and_turned(const Levels& levels, const KnitNet& net, const Places& places,
+                         int first) {
+  Placed best;
+  for (const double turn : {0.0, -1.5, 1.5, -3.0, 3.0}) {
+    Placed one = placed(levels, net, places, first, turn * degree);
+    if (one.likeness > best.likeness) best = std::move(one);
+  }
+  return best;
+}
+
+/// The hypotheses that begin with a course, those first that are most like all photographs: all
+/// unturned, then the few best of them turned.
+std::vector<Hypothesis> ranked(const std::vector<Hypothesis>& all, int first,
+                               const std::vector<Levels>& levels, const KnitNet& net) {
+  constexpr std::size_t worth_turning = 3;
+  std::vector<Hypothesis> some;
+  for (const Hypothesis& h : all) {
+    const bool rests = std::none_of(h.places.begin(), h.places.end(),
+                                    [](const Places& places) { return places.empty(); });
+    if (h.first == first && rests) some.push_back(h);
+  }
+  const auto better = [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; };
+  for (Hypothesis& h : some) {
     for (std::size_t s = 0; s < levels.size(); ++s) {
-      h.score +=
-          h.places[s].empty() ? -1.0 : placed(levels[s], net, h.places[s], h.first, 0.0).likeness;
+      h.score += placed(levels[s], net, h.places[s], first, 0.0).likeness;
     }
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
-  return all;
+  std::stable_sort(some.begin(), some.end(), better);
+  some.resize(std::min(some.size(), worth_turning));
+  for (Hypothesis& h : some) {
+    h.score = 0.0;
+    for (std::size_t s = 0; s < levels.size(); ++s) {
+      h.placed.push_back(placed_and_turned(levels[s], net, h.places[s], first));
+      h.score += h.placed.back().likeness;
+    }
+  }
+  std::stable_sort(some.begin(), some.end(), better);
+  return some;
 }
 
 /// Where the crossings of each photograph are, as far as a hypothesis leads to them.
@@ -142,9 +173,8 @@ struct Attempt {
   double likeness = -1.0;  // of the worst photograph
 };
 
-Attempt attempt(const Hypothesis& h, const std::vector<Levels>& levels, const KnitNet& net,
-                const Knit<>& knit, const std::vector<KnitPhotograph>& photographs) {
-  constexpr double degree = std::numbers::pi / 180.0;
+Attempt attempt(const Hypothesis& h, const std::vector<Levels>& levels, const Knit<>& knit,
+                const std::vector<KnitPhotograph>& photographs) {
   Knit<> piece = knit;
   for (std::size_t k = 0; k < piece.colour_repeat.size(); ++k) {
     piece.colour_repeat[k] =
@@ -152,13 +182,7 @@ Attempt attempt(const Hypothesis& h, const std::vector<Levels>& levels, const Kn
   }
   Attempt found{h.first, {}, 1.0};
   for (std::size_t s = 0; s < levels.size(); ++s) {
-    if (h.places[s].empty()) return {};
-    Placed best;
-    for (const double turn : {0.0, -1.5, 1.5, -3.0, 3.0}) {
-      const Placed one = placed(levels[s], net, h.places[s], h.first, turn * degree);
-      if (one.likeness > best.likeness) best = one;
-    }
-    const BentKnit bent = tracked(levels[s].pictures, levels[s].looks, best.bent, h.first);
+    const BentKnit bent = tracked(levels[s].pictures, levels[s].looks, h.placed[s].bent, h.first);
     found.crossings.push_back(refined(photographs[s].picture, piece, bent));
     found.likeness = std::min(found.likeness, mean_of(found.crossings.back().likeness));
   }
@@ -173,19 +197,18 @@ Attempt best_attempt(const Surface& rest, const Knit<>& knit, const std::vector<
   for (const auto& photograph : photographs) {
     levels.push_back(levels_of(rest, knit, photograph.picture));
   }
-  const auto order = ranked(hypotheses(net, repeat, photographs, clamp), levels, net);
+  const auto all = hypotheses(net, repeat, photographs, clamp);
+  std::vector<std::vector<Hypothesis>> order;
+  for (int first = 0; first < int(repeat.size()); ++first) {
+    order.push_back(ranked(all, first, levels, net));
+  }
   // A piece that is begun with the wrong course fits all but its border one course further: the
   // best of each beginning is followed to its end, then, if none is clear, the next best.
   Attempt best;
-  const int beginnings = int(repeat.size());
-  for (int place = 0; place < 2 && best.likeness < clear; ++place) {
-    for (int first = 0; first < beginnings; ++first) {
-      int skip = place;
-      const auto next = std::find_if(order.begin(), order.end(), [&](const Hypothesis& h) {
-        return h.first == first && skip-- == 0;
-      });
-      if (next == order.end()) continue;
-      Attempt one = attempt(*next, levels, net, knit, photographs);
+  for (std::size_t place = 0; place < 2 && best.likeness < clear; ++place) {
+    for (const auto& of_beginning : order) {
+      if (place >= of_beginning.size()) continue;
+      Attempt one = attempt(of_beginning[place], levels, knit, photographs);
       if (one.likeness > best.likeness) best = std::move(one);
     }
   }

@@ -44,13 +44,14 @@ KnitMaps tile_maps(const Knit<>& knit, const Extent& extent) {
   const int repeat = int(knit.colour_repeat.size());
   // The stitches whose middle lies on the surface: a unit square of cycles, torn by the rounding.
   const double most = cycles.cwiseAbs().rowwise().sum().maxCoeff() + 1.0;
+  constexpr double tie = 1e-9;  // one that lies on a seam is drawn once, whatever its rounding
   std::vector<YarnPoint> points;
   for (int j = -int(most); j <= most; ++j) {
     for (int i = -int(most); i <= most; ++i) {
       const Eigen::Vector2d middle =
           pixels_per_stitch * Eigen::Vector2d(i - knit.wale_phase, j - knit.course_phase);
       const Eigen::Vector2d share(middle.x() / extent.cols, middle.y() / extent.rows);
-      if (share.x() < -0.5 || share.x() >= 0.5 || share.y() < -0.5 || share.y() >= 0.5) continue;
+      if ((share.array() < -0.5 - tie).any() || (share.array() >= 0.5 - tie).any()) continue;
       for (const auto& [wales, courses, z] : curve) {
         const Eigen::Vector2d at = middle + pixels_per_stitch * Eigen::Vector2d(wales, courses);
         points.push_back({0.5 * extent.rows - 0.5 - at.y(), at.x() + 0.5 * extent.cols - 0.5, z,

@@ -41,7 +41,6 @@ TEST(KnitRefine, SaysWhereThereIsNoSuchStitch) {
   const auto found = refined(photograph, made.knit(), truth);
   for (int course = 0; course < 8; ++course) {
     EXPECT_LT(found.likeness[std::size_t(course * 8 + 7)], 0.5);
-    EXPECT_GT(found.likeness[std::size_t(course * 8 + 1)], 0.7);
   }
 }
 
