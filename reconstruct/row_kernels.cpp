@@ -5,6 +5,10 @@
 
 #include "reconstruct/clones.h"
 
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wunknown-pragmas"  // those of GCC below
+#endif
+
 namespace hada::row_kernels {
 namespace {
 
@@ -85,7 +89,8 @@ template <class Special, class General>
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const float* right,
                               const std::uint8_t* code) {
-  const auto [up, down, left, beyond] = value;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
   const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
   for_marked(
       n, code, edge_code(4), [=](int i) { x[i] = sum(i) * 0.25f; },
@@ -94,8 +99,10 @@ HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, c
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
                               const float* right, const float* inverse, const std::uint8_t* even) {
-  const auto [up, down, left, beyond] = value;
-  const auto [wu, wd, wl, wr] = weight;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
   for_marked(
       n, even, 1,
       [=](int i) { x[i] = (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * 0.25f; },
@@ -107,7 +114,8 @@ HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, c
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
                                    const float* right, const std::uint8_t* code) {
-  const auto [up, down, left, beyond] = value;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
   const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
   for_marked(
       n, code, edge_code(4), [=](int i) { x[i] += factor * (sum(i) * 0.25f - x[i]); },
@@ -117,8 +125,10 @@ HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, con
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
                                    const Around& weight, const float* right, const float* inverse,
                                    const std::uint8_t* even) {
-  const auto [up, down, left, beyond] = value;
-  const auto [wu, wd, wl, wr] = weight;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
   for_marked(
       n, even, 1,
       [=](int i) {
@@ -143,7 +153,8 @@ HADA_CLONES_AVX512 void relax_from_zero(int n, float factor, float* __restrict x
 
 HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, const Around& value,
                                  const float* right, const std::uint8_t* code) {
-  const auto [up, down, left, beyond] = value;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
   for (int i = 0; i < n; ++i) {
     const float sum = (up[i] + down[i]) + (left[i] + beyond[i]);
     const float edges = float(code[i] & 15);
@@ -155,8 +166,10 @@ HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, c
 HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, const Around& value,
                                  const Around& weight, const float* right, const float* inverse,
                                  const std::uint8_t* even) {
-  const auto [up, down, left, beyond] = value;
-  const auto [wu, wd, wl, wr] = weight;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
   for_marked(
       n, even, 1,
       [=](int i) {
@@ -175,8 +188,10 @@ HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, c
 HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
                                        const Around& value, const std::uint8_t* code,
                                        const AroundCodes& around) {
-  const auto [up, down, left, beyond] = value;
-  const auto [cu, cd, cl, cr] = around;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const std::uint8_t *const cu = around.up, *const cd = around.down;
+  const std::uint8_t *const cl = around.left, *const cr = around.right;
   for_marked(
       n, code, edge_code(4),
       [=](int i) {
@@ -196,8 +211,10 @@ HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const floa
 
 HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
                                        const Around& value, const Around& weight) {
-  const auto [up, down, left, beyond] = value;
-  const auto [wu, wd, wl, wr] = weight;
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
   for (int i = 0; i < n; ++i) {
     const float here = x[i];
     rest[i] += ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
@@ -320,7 +337,8 @@ HADA_CLONES_AVX512 void to_reach(int n, float* __restrict reach) {
 HADA_CLONES_AVX512 void find_even(int n, const Around& weight, const float* reach_across,
                                   const float* reach_along, const float* inverse,
                                   std::uint8_t* __restrict even) {
-  const auto [wu, wd, wl, wr] = weight;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
   for (int i = 0; i < n; ++i) {
     const int edges = (wu[i] == 1.0f) & (wd[i] == 1.0f) & (wl[i] == 1.0f) & (wr[i] == 1.0f);
     const int cell = (reach_across[i] == 0.25f) & (reach_along[i] == 0.25f) & (inverse[i] == 0.25f);
@@ -329,7 +347,8 @@ HADA_CLONES_AVX512 void find_even(int n, const Around& weight, const float* reac
 }
 
 HADA_CLONES_AVX512 void invert(int n, float* __restrict inverse, const Around& weight) {
-  const auto [wu, wd, wl, wr] = weight;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
   for (int i = 0; i < n; ++i) {
     const float sum = (wu[i] + wd[i]) + (wl[i] + wr[i]);
     inverse[i] = sum > 0.0f ? 1.0f / sum : 0.0f;
