@@ -146,6 +146,21 @@ TEST(Architecture, KnowsEveryFolderThatHoldsSources) {
   }
 }
 
+TEST(Architecture, BuildsEveryTest) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(HADA_SOURCE_DIR) / "tests")) {
+    if (!entry.is_directory()) continue;
+    const std::string list = text_of(entry.path() / "CMakeLists.txt");
+    for (const fs::path& path : sources_of(entry.path())) {
+      const std::string name = path.filename().string();
+      if (!name.ends_with("_test.cpp")) continue;
+      ++files;
+      EXPECT_NE(list.find(name), std::string::npos) << path << " is in no list of sources";
+    }
+  }
+  EXPECT_GT(files, 200u);
+}
+
 TEST(Architecture, SeesArrowsThatTurnBack) {
   EXPECT_EQ(forbidden_includes("core/a.h", "#include \"synth/wood.h\"\n").size(), 1u);
   EXPECT_EQ(forbidden_includes("reconstruct/a.cpp", "  # include \"synth/wood.h\"").size(), 1u);
