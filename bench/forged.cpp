@@ -22,9 +22,11 @@ int main(int count, char** words) {
     std::fflush(stdout);
   };
   if (pictures > 0) {
-    told("clean, 512 x 1024", {.pictures = pictures, .picture = GrainPicture::clean});
-    told("levels, 512 x 1024, 9 folds, length unknown",
-         {.pictures = pictures, .folds = 9, .length_known = false, .picture = GrainPicture::made});
+    told("clean, 512 x 1024", {.pictures = pictures, .picture = hada::GrainPicture::clean});
+    told("levels, 512 x 1024, 9 folds, length unknown", {.pictures = pictures,
+                                                         .folds = 9,
+                                                         .length_known = false,
+                                                         .picture = hada::GrainPicture::made});
     told("photographed, 512 x 1024", {.pictures = pictures});
     told("photographed, 512 x 1024, length unknown", {.pictures = pictures, .length_known = false});
     told("photographed, 256 x 256", {.pictures = 2 * pictures, .rows = 256, .cols = 256});
