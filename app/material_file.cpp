@@ -51,13 +51,14 @@ Json::json_pointer pointer_of(const std::string& path) {
 }
 
 /// The standard deviations in `json`, laid out as the parameters of `material`; NaN where there is
-/// none, as in a file whose parameters a person has changed.
+/// none, as in a file whose parameters a person has changed, and 0 of what a file leaves out.
 Material sigma_of(const Json& json, Material material) {
   std::visit(
       [&](auto& m) {
-        visit_fields(m, [&](const std::string& path, const auto&, double& value) {
+        visit_fields(m, [&](const std::string& path, const auto& field, double& value) {
           const auto pointer = pointer_of(path);
           const bool known = json.contains(pointer) && json.at(pointer).is_number();
+          if (!known && is_left_out(field, value)) return;
           value = known ? json.at(pointer).get<double>() : std::nan("");
         });
       },

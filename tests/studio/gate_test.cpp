@@ -14,7 +14,11 @@ const Gate gate{.port = 4000, .token = "0123456789abcdef0123456789abcdef", .body
 HttpRequest asked(const std::string& method, const std::string& rest,
                   std::map<std::string, std::string> headers = {}) {
   headers.emplace("host", "127.0.0.1:4000");
-  return {.method = method, .path = "/" + gate.token + "/" + rest, .headers = std::move(headers)};
+  HttpRequest request;
+  request.method = method;
+  request.path = "/" + gate.token + "/" + rest;
+  request.headers = std::move(headers);
+  return request;
 }
 
 HttpRequest posted(const std::string& length) {
