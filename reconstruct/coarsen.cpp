@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "reconstruct/coarsen_kernels.h"
 #include "reconstruct/extra_edges.h"
 #include "reconstruct/level_rows.h"
 #include "reconstruct/split_blocks.h"
@@ -30,17 +31,18 @@ struct JoinedRow {
     const auto start = [&](int r, int parity) { return at.start(r, parity); };
     if (fine.unit()) {
       const std::uint8_t* const code = fine.code.data();
-      row_kernels::join(at.block,
-                        {code + start(2 * row, 0), code + start(2 * row, 1), code + start(below, 0),
-                         code + start(below, 1), code + start(next, 0), code + start(next, 1)},
-                        inside_across.data(), inside_along.data(), cross_across.data(),
-                        cross_along.data(), split.data());
+      coarsen_kernels::join(
+          at.block,
+          {code + start(2 * row, 0), code + start(2 * row, 1), code + start(below, 0),
+           code + start(below, 1), code + start(next, 0), code + start(next, 1)},
+          inside_across.data(), inside_along.data(), cross_across.data(), cross_along.data(),
+          split.data());
       return;
     }
     const float* const east = fine.east.data();
     const float* const south = fine.south.data();
     const float* const inverse = fine.inverse.data();
-    row_kernels::join(
+    coarsen_kernels::join(
         at.block,
         {east + start(2 * row, 0), east + start(2 * row, 1), east + start(below, 0),
          east + start(below, 1), south + start(2 * row, 0), south + start(2 * row, 1),
@@ -84,25 +86,25 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
   });
   split_blocks(fine, std::move(split_cols), least_strength, coarse);
   for_each_index(at.rows, [&](int row) {
-    row_kernels::to_reach(int(at.stride()), coarse.reach_across.data() + at.start(row, 0));
-    row_kernels::to_reach(int(at.stride()), coarse.reach_along.data() + at.start(row, 0));
+    coarsen_kernels::to_reach(int(at.stride()), coarse.reach_across.data() + at.start(row, 0));
+    coarsen_kernels::to_reach(int(at.stride()), coarse.reach_along.data() + at.start(row, 0));
   });
   for_each_index(at.rows, [&](int row) {
     const float* const across = coarse.reach_across.data();
     const float* const along = coarse.reach_along.data();
     for (const int parity : {0, 1}) {
       const auto here = at.start(row, parity);
-      row_kernels::in_series(at.block, coarse.east.data() + here, across + here,
-                             across + at.start(row, 1 - parity) + parity);
-      row_kernels::in_series(at.block, coarse.south.data() + here, along + here,
-                             along + at.start(row + 1, parity));
+      coarsen_kernels::in_series(at.block, coarse.east.data() + here, across + here,
+                                 across + at.start(row, 1 - parity) + parity);
+      coarsen_kernels::in_series(at.block, coarse.south.data() + here, along + here,
+                                 along + at.start(row + 1, parity));
     }
   });
   coarse.inverse = Cells(coarse.nodes(), coarse.memory());
   for_each_index(at.rows, [&](int row) {
     for (const int parity : {0, 1}) {
-      row_kernels::invert(at.block, coarse.inverse.data() + at.start(row, parity),
-                          weights_around(coarse, row, parity));
+      coarsen_kernels::invert(at.block, coarse.inverse.data() + at.start(row, parity),
+                              weights_around(coarse, row, parity));
     }
   });
   add_extra_edges(coarse);
@@ -110,9 +112,10 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
   for_each_index(at.rows, [&](int row) {
     for (const int parity : {0, 1}) {
       const auto here = at.start(row, parity);
-      row_kernels::find_even(at.block, weights_around(coarse, row, parity),
-                             coarse.reach_across.data() + here, coarse.reach_along.data() + here,
-                             coarse.inverse.data() + here, coarse.even.data() + here);
+      coarsen_kernels::find_even(at.block, weights_around(coarse, row, parity),
+                                 coarse.reach_across.data() + here,
+                                 coarse.reach_along.data() + here, coarse.inverse.data() + here,
+                                 coarse.even.data() + here);
     }
   });
   return coarse;

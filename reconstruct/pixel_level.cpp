@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "reconstruct/coarsen_kernels.h"
 #include "reconstruct/level_rows.h"
 
 namespace hada {
@@ -58,8 +59,8 @@ PixelLevel PixelLevel::of(const Mask& mask, const EdgeWeights& weights) {
   });
   for_each_index(at.rows, [&](int row) {
     for (const int parity : {0, 1}) {
-      row_kernels::invert(at.block, level.inverse.data() + at.start(row, parity),
-                          weights_around(level, row, parity));
+      coarsen_kernels::invert(at.block, level.inverse.data() + at.start(row, parity),
+                              weights_around(level, row, parity));
     }
   });
   return level;

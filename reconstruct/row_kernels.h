@@ -102,53 +102,6 @@ void add_carried(int n, float* __restrict x, const Corner& even, const Corner& o
 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
                  const float* alive);
 
-/// The cells a and b of even and odd columns in the rows 0 and 1 of a row of blocks.
-struct UnitRows {
-  const std::uint8_t* a0;
-  const std::uint8_t* b0;
-  const std::uint8_t* a1;
-  const std::uint8_t* b1;
-  const std::uint8_t* a2;  // the first row of the block below
-  const std::uint8_t* b2;
-};
-/// What joins the cells of a block among each other and with the blocks to the right and below.
-///
-/// inside_across, inside_along  sums of the edges within a block, along its rows and its columns
-/// cross_across, cross_along    to the block on the right, to the block below
-/// split                        not 0 where the cells of a block do not hang together
-void join(int n, const UnitRows& codes, float* __restrict inside_across,
-          float* __restrict inside_along, float* __restrict cross_across,
-          float* __restrict cross_along, float* __restrict split);
-
-struct WeightedRows {
-  const float* ab0;  // edges
-  const float* ba0;
-  const float* ab1;
-  const float* ba1;
-  const float* a01;
-  const float* b01;
-  const float* a12;
-  const float* b12;
-  const float* a0;  // inverses
-  const float* b0;
-  const float* a1;
-  const float* b1;
-};
-/// An edge below `least` of all edges at one of its ends does not count as hanging together.
-void join(int n, const WeightedRows& rows, float least, float* __restrict inside_across,
-          float* __restrict inside_along, float* __restrict cross_across,
-          float* __restrict cross_along, float* __restrict split);
-
-/// cross = 1 / (1 / cross + reach + reach_beyond), 0 where cross is 0: edges in series.
-void in_series(int n, float* __restrict cross, const float* reach, const float* reach_beyond);
-/// reach = 1 / (2 reach), 0 stays 0.
-void to_reach(int n, float* __restrict reach);
-/// 1 for the cells of an even lattice, 0 for all others.
-void find_even(int n, const Around& weight, const float* reach_across, const float* reach_along,
-               const float* inverse, std::uint8_t* __restrict even);
-/// inverse = 1 / (sum of weights), 0 where there are none.
-void invert(int n, float* __restrict inverse, const Around& weight);
-
 /// row[2 i] = even[i], row[2 i + 1] = odd[i].
 void gather(int n, const float* even, const float* odd, float* __restrict row);
 
@@ -156,16 +109,6 @@ void gather(int n, const float* even, const float* odd, float* __restrict row);
 float largest(int n, const float* x);
 /// x = (x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
 void round_to(int n, float magic, float* __restrict x);
-
-/// From pairs (dz/dx, dz/dy), y up: the rise from a pixel to the one on its right, or below it,
-/// rounded as by `round_to`; 0 unless both are in the mask.
-void rise_across(int n, const float* slopes, const std::uint8_t* mask, float magic,
-                 float* __restrict rise);
-void rise_down(int n, const float* slopes, const float* slopes_below, const std::uint8_t* mask,
-               const std::uint8_t* mask_below, float magic, float* __restrict rise);
-/// out = across on the left - across + above - below: what the rises ask of a pixel.
-void balance(int n, const float* across, const float* above, const float* below,
-             float* __restrict out);
 
 double sum(int n, const float* x);
 double dot(int n, const float* x, const float* y);

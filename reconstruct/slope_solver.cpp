@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "reconstruct/rise_kernels.h"
 #include "reconstruct/row_kernels.h"
 
 namespace hada {
@@ -62,16 +63,16 @@ void SlopeSolver::set_right(const SlopeMap& slopes) {
         std::fill(below.begin(), below.end(), 0.0f);
         return;
       }
-      row_kernels::rise_down(cols, slopes_in(row), slopes_in(row + 1), mask_.row(row).data(),
-                             mask_.row(row + 1).data(), magic, below.data());
+      rise_kernels::rise_down(cols, slopes_in(row), slopes_in(row + 1), mask_.row(row).data(),
+                              mask_.row(row + 1).data(), magic, below.data());
     };
     fill_below(begin - 1);
     for (int row = begin; row < end; ++row) {
       std::swap(above, below);
       fill_below(row);
-      row_kernels::rise_across(cols - 1, slopes_in(row), mask_.row(row).data(), magic,
-                               across.data() + 1);
-      row_kernels::balance(cols, across.data() + 1, above.data(), below.data(), sum.data());
+      rise_kernels::rise_across(cols - 1, slopes_in(row), mask_.row(row).data(), magic,
+                                across.data() + 1);
+      rise_kernels::balance(cols, across.data() + 1, above.data(), below.data(), sum.data());
       float* const right = multigrid_.right().data();
       row_kernels::deal(at.block, sum.data(), right + at.start(row, 0), right + at.start(row, 1));
     }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "reconstruct/coarsen_kernels.h"
+
 namespace hada {
 namespace {
 
@@ -46,7 +48,8 @@ TEST(RowKernels, GiveTheSameBytesWhetherEvenCellsAreMarkedOrNot) {
   const row_kernels::Around around{value.data(), value.data() + 1, value.data() + 2, right.data()};
   const row_kernels::Around weight{one.data(), one.data(), one.data(), one.data()};
   std::vector<std::uint8_t> even(n, 0);
-  row_kernels::find_even(n, weight, quarter.data(), quarter.data(), quarter.data(), even.data());
+  coarsen_kernels::find_even(n, weight, quarter.data(), quarter.data(), quarter.data(),
+                             even.data());
   EXPECT_EQ(even, std::vector<std::uint8_t>(n, 1));
   even[20] = 0;  // the second run is not read as even
   std::vector<std::vector<float>> found;
