@@ -98,4 +98,7 @@ void add_knitting(Commands& commands);
 /// Declares `hada block`.
 void add_wood(Commands& commands);
 
+/// Declares `hada blade`.
+void add_steel(Commands& commands);
+
 }  // namespace hada
