@@ -46,7 +46,7 @@ TEST(Fold, RefusesWhatDoesNotFoldFlat) {
 
 TEST(Fold, ReplaysTheShippedCraneToTheSameBytes) {
   const Scratch scratch;
-  const std::string log = HADA_SOURCE_DIR "/data_synthetic/folds/crane.json";
+  const std::string log = std::string(HADA_SOURCE_DIR) + "/data_synthetic/folds/crane.json";
   for (const char* name : {"one", "two"}) {
     const Answer said = answer("fold replay " + log + " -o " + (scratch / name).string());
     EXPECT_EQ(said.code, 0) << said.err;

@@ -50,12 +50,9 @@ struct Answer {
 /// What the real program says to these words, run in a folder of its own.
 inline Answer answer(const std::string& words) {
   const Scratch scratch;
-  std::string command;
-  for (const std::string& part :
-       {std::string("'" HADA_PROGRAM "' "), words, std::string(" > '"), (scratch / "out").string(),
-        std::string("' 2> '"), (scratch / "err").string(), std::string("'")}) {
-    command += part;
-  }
+  const std::string command = std::string("'") + HADA_PROGRAM + "' " + words + " > '" +
+                              (scratch / "out").string() + "' 2> '" + (scratch / "err").string() +
+                              "'";
   const int status = std::system(command.c_str());
   return {WEXITSTATUS(status), text_of(scratch / "out"), text_of(scratch / "err")};
 }

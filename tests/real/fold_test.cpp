@@ -39,9 +39,9 @@ TEST(RecordedSnail, EndsInThePublishedShape) {
   if (!std::filesystem::exists(folder)) {
     GTEST_SKIP() << "the crease patterns are not in " << data_folder();
   }
-  const auto* name = "042_furutaoripa_katatsumuri_(snail)";
-  const auto pattern = read_fold(folder / "crease_patterns" / (name + std::string(".fold"))).frames[0];
-  const auto shape = read_fold(folder / "folded_states" / (name + std::string(".folded.fold"))).frames[0];
+  const std::string name = "042_furutaoripa_katatsumuri_(snail)";
+  const auto pattern = read_fold(folder / "crease_patterns" / (name + ".fold")).frames[0];
+  const auto shape = read_fold(folder / "folded_states" / (name + ".folded.fold")).frames[0];
   const std::filesystem::path source = HADA_SOURCE_DIR;
   const auto states = replayed(read_fold_log(source / "data_synthetic" / "folds" / "snail.json"));
   const Sheet& sheet = states.back().sheet;
