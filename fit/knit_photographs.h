@@ -44,9 +44,8 @@ struct PulledKnitFit {
 /// knit    what `fit_knit` found in it
 /// repeat  which courses are of support yarn (1), which of nylon (0), upward from course 0 of
 ///         `knit`; as long as its colour repeat, or more where one colour is all there is
-/// throws  Error if there is no photograph, if the crossings of one are not found, or if those
-/// found
-///         lie further off those of any knit pulled so than stitches are uneven
+/// throws  Error if there is no photograph, if the crossings of one are not found, or if those that
+///         are found lie further off those of any knit pulled so than stitches are uneven
 PulledKnitFit fit_photographs(const Surface& rest, const Knit<>& knit,
                               const std::vector<int>& repeat,
                               const std::vector<KnitPhotograph>& photographs,
