@@ -9,6 +9,7 @@
 #include "app/material_file.h"
 #include "io/image_file.h"
 #include "program.h"
+#include "tests/synth/slanted_stem.h"
 
 namespace hada {
 namespace {
@@ -17,22 +18,8 @@ constexpr Extent extent{.rows = 80, .cols = 96, .pitch = 0.25, .unit = Unit::mm}
 
 /// The file of a stem that leans, tapers, bulges and turns in every way, cut aslant.
 std::string slanted() {
-  Wood<> wood;
-  wood.pith_mm = {-3.0, 2.0};
-  wood.pith_lean = {0.05, -0.03};
-  wood.taper = 0.02;
-  wood.lobes = {{2, 0.05, -0.03, 0.0, 0.0}, {3, 0.02, 0.04, 4.0, 12.0}};
-  wood.spiral = 0.1;
-  wood.wave_amplitude = 0.15;
-  wood.wave_length_mm = 20.0;
-  wood.interlock_amplitude = 0.2;
-  wood.fluctuation = 0.02;
-  wood.fibre_shift = 0.3;
-  wood.fibre_mm = 2.0;
-  wood.cut_origin_mm = {4.0, 1.0, 3.0};
-  wood.cut_up = {0.0, 0.6, 0.8};
   MaterialFile file;
-  file.material = wood;
+  file.material = slanted_stem();
   return material_text(file);
 }
 

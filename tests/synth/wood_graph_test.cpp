@@ -5,30 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "synth/wood_solid.h"
+#include "tests/synth/slanted_stem.h"
 
 namespace hada {
 namespace {
 
 constexpr Extent extent{.rows = 160, .cols = 200, .pitch = 0.1, .unit = Unit::mm};
-
-/// A slanted cut of a stem that leans, tapers, bulges and turns in every way.
-Wood<> stem() {
-  Wood<> wood;
-  wood.pith_mm = {-3.0, 2.0};
-  wood.pith_lean = {0.05, -0.03};
-  wood.taper = 0.02;
-  wood.lobes = {{2, 0.05, -0.03, 0.0, 0.0}, {3, 0.02, 0.04, 4.0, 12.0}};
-  wood.spiral = 0.1;
-  wood.wave_amplitude = 0.15;
-  wood.wave_length_mm = 20.0;
-  wood.interlock_amplitude = 0.2;
-  wood.fluctuation = 0.02;
-  wood.fibre_shift = 0.3;
-  wood.fibre_mm = 2.0;
-  wood.cut_origin_mm = {4.0, 1.0, 3.0};
-  wood.cut_up = {0.0, 0.6, 0.8};
-  return wood;
-}
 
 /// Linear between texels, held at the sides, endless upward, as shader editors do it.
 double looked_up(const Grid<float>& picture, double u, double v) {
@@ -62,20 +44,20 @@ double mean_difference(const Wood<>& wood, const WoodGraph& graph, Seed seed) {
 }
 
 TEST(WoodGraph, FindsTheColourOfTheSolid) {
-  const auto graph = wood_graph(stem(), extent, 5);
+  const auto graph = wood_graph(slanted_stem(), extent, 5);
   EXPECT_TRUE(graph.complete);
   // Only where a boundary of rings, 4 mm apart, runs between two texels of 0.05 mm may the colour
   // differ by up to half of 0.36; the picture of leans adds a texel to that.
-  EXPECT_LT(mean_difference(stem(), graph, 5), 0.005);
+  EXPECT_LT(mean_difference(slanted_stem(), graph, 5), 0.005);
   // A stem that turns otherwise has another colour: fibres differ by 0.3 of 0.5.
-  EXPECT_GT(mean_difference(stem(), wood_graph(stem(), extent, 6), 5), 0.01);
-  Wood<> straight = stem();
+  EXPECT_GT(mean_difference(slanted_stem(), wood_graph(slanted_stem(), extent, 6), 5), 0.01);
+  Wood<> straight = slanted_stem();
   straight.spiral = 0.0;
-  EXPECT_GT(mean_difference(stem(), wood_graph(straight, extent, 5), 5), 0.01);
+  EXPECT_GT(mean_difference(slanted_stem(), wood_graph(straight, extent, 5), 5), 0.01);
 }
 
 TEST(WoodGraph, HasAPictureOfLeansWhereItIsNeeded) {
-  EXPECT_EQ(wood_graph(stem(), extent, 5).pictures.count("lean"), 1u);
+  EXPECT_EQ(wood_graph(slanted_stem(), extent, 5).pictures.count("lean"), 1u);
   Wood<> plain;
   EXPECT_EQ(wood_graph(plain, extent, 5).pictures.count("lean"), 0u);
 }
