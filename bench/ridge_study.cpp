@@ -5,6 +5,7 @@
 #include <ctime>
 #include <numbers>
 
+#include "bench/finer_sample.h"
 #include "core/quantile.h"
 #include "core/random.h"
 #include "fit/wrinkle.h"
@@ -23,17 +24,10 @@ Surface sample_of(const Wrinkle<>& truth, const RidgeStudyOptions& options, Seed
   const int n = options.size_px;
   const Extent world{3 * n, 3 * n, 0.5 * options.pitch_mm, Unit::mm};
   const auto field = synthesize(truth, world, seed).height;
-  Surface sample;
-  sample.extent = {n, n, options.pitch_mm, Unit::mm};
-  sample.mask = full_mask(sample.extent);
-  sample.height = Grid<float>(n, n);
-  for (int row = 0; row < n; ++row) {
-    for (int col = 0; col < n; ++col) {
-      const double height =
-          field(n / 2 + 2 * row, n / 2 + 2 * col) + options.noise_mm * gaussian(seed + 1, row, col);
-      sample.height(row, col) = float(std::round(height / options.step_mm) * options.step_mm);
-    }
-  }
+  Surface sample =
+      finer_sample(field, n / 2, {n, n, options.pitch_mm, Unit::mm}, options.noise_mm, seed + 1);
+  for (float& height : sample.height)
+    height = float(std::round(height / options.step_mm) * options.step_mm);
   return sample;
 }
 

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <numbers>
 
+#include "bench/finer_sample.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "fit/wrinkle.h"
@@ -26,17 +27,7 @@ Surface sample_of(const Wrinkle<>& truth, const WrinkleStudyOptions& options, Se
   const int n = options.size_px;
   const Extent world{4 * n, 4 * n, 0.5 * options.pitch_mm, Unit::mm};
   const auto field = synthesize(truth, world, seed).height;
-  Surface sample;
-  sample.extent = {n, n, options.pitch_mm, Unit::mm};
-  sample.mask = full_mask(sample.extent);
-  sample.height = Grid<float>(n, n);
-  for (int row = 0; row < n; ++row) {
-    for (int col = 0; col < n; ++col) {
-      sample.height(row, col) = field(n + 2 * row, n + 2 * col) +
-                                float(options.noise_mm * gaussian(seed + 1000, row, col));
-    }
-  }
-  return sample;
+  return finer_sample(field, n, {n, n, options.pitch_mm, Unit::mm}, options.noise_mm, seed + 1000);
 }
 
 struct Errors {
