@@ -34,11 +34,11 @@ struct PulledKnitFit {
 
 /// Stiffness ratio and yarn coefficient of a knit from photographs of one piece, pulled.
 ///
-/// Where crossings may be is found by comparing what the stitches at rest look like with the
-/// photograph at the rests of several knits (soft, stiff, even), shifted by up to a stitch and a
-/// half and turned by up to three degrees; from the best they are tracked (`tracked`), then refined
-/// by drawing their loops (`refined`); the rest under both forces is fitted to them, seen up to
-/// shift, turn and scale.
+/// Where the piece lies is found by comparing what the stitches at rest look like with the
+/// photograph at the rests of several knits (soft, stiff, even), begun with each course of the
+/// repeat (`placements`); from there the crossings are tracked (`tracked`), then refined by drawing
+/// their loops (`refined`), and the beginning counts whose drawn loops are most like all
+/// photographs; the rest under both forces is fitted to them, seen up to shift, turn and scale.
 ///
 /// rest    a picture of the same knit at rest, filled by it
 /// knit    what `fit_knit` found in it

@@ -243,16 +243,17 @@ StitchLook look_of(const TrackedPicture& rest, const Knit<>& knit) {
   return look;
 }
 
-std::vector<double> likeness_at(const TrackedPicture& picture, const StitchLook& look,
-                                const BentKnit& bent, int first, int stride) {
+double mean_likeness(const TrackedPicture& picture, const StitchLook& look, const BentKnit& bent,
+                     int first, const ComparedPlaces& compared) {
   const PictureField field(picture);
-  std::vector<double> likeness(bent.places.size());
-  for_each_index(int(likeness.size()), [&](int k) {
+  double sum = 0.0;
+  int count = 0;
+  for (int k = 0; k < int(bent.places.size()); k += compared.every, ++count) {
     const int course = k / bent.wales;
-    likeness[std::size_t(k)] = likeness_of(field, samples_of(look, course, first),
-                                           shape_at(bent, k % bent.wales, course), stride);
-  });
-  return likeness;
+    sum += likeness_of(field, samples_of(look, course, first),
+                       shape_at(bent, k % bent.wales, course), compared.stride);
+  }
+  return sum / std::max(count, 1);
 }
 
 BentKnit tracked(const std::vector<TrackedPicture>& levels, const std::vector<StitchLook>& looks,

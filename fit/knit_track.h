@@ -26,13 +26,18 @@ TrackedPicture tracked_picture(const Surface& surface, double smooth_px);
 /// knit  where the stitches of the picture lie, as `fit_knit` finds it
 StitchLook look_of(const TrackedPicture& rest, const Knit<>& knit);
 
-/// How alike the stitches at `bent` are to those of `look`: their correlation, 1 at best, crossing
-/// by crossing; 0 where the picture ends.
+/// Which places of a knit are compared with its look.
+struct ComparedPlaces {
+  int every = 1;   // of the crossings, counted along the courses: each, every other one...
+  int stride = 1;  // the same of the samples of a stitch
+};
+
+/// How alike the stitches at `bent` are to those of `look`: the mean of their correlations, 1 at
+/// best; 0 where the picture ends.
 ///
-/// first   the entry of the repeat that course 0 of `bent` is of
-/// stride  of the samples that are compared: 1 all of them
-std::vector<double> likeness_at(const TrackedPicture& picture, const StitchLook& look,
-                                const BentKnit& bent, int first, int stride);
+/// first  the entry of the repeat that course 0 of `bent` is of
+double mean_likeness(const TrackedPicture& picture, const StitchLook& look, const BentKnit& bent,
+                     int first, const ComparedPlaces& compared = {});
 
 /// The crossings of a knit in a picture of it pulled, from a guess that is right to a fifth of a
 /// stitch; to a tenth or so of a stitch, since yarn is not drawn out as the look is.

@@ -30,11 +30,7 @@ TEST(KnitTrack, LooksAsTheStitchesOfThePictureDo) {
   const auto flat = pulled(made.net(12, 10.0), KnitPull::wale, KnitClamp::uniform, 1.0);
   BentKnit bent{12, 12, flat.start};
   for (auto& p : bent.places) p.y() += 1.5;  // 12 courses about the middle begin with an odd one
-  const auto mean = [&](int first) {
-    double sum = 0.0;
-    for (const double one : likeness_at(picture, look, bent, first, 1)) sum += one / 144.0;
-    return sum;
-  };
+  const auto mean = [&](int first) { return mean_likeness(picture, look, bent, first); };
   EXPECT_GT(std::max(mean(0), mean(1)), 0.9);
   EXPECT_LT(std::min(mean(0), mean(1)), std::max(mean(0), mean(1)) - 0.25);
 }
@@ -52,11 +48,7 @@ TEST(KnitTrack, FindsCrossingsToATenthOfAStitchFromAFifth) {
   }
   BentKnit guess = truth;
   for (auto& p : guess.places) p += Eigen::Vector3d(0.2, -0.15, 0.0);  // a tenth of a stitch
-  const auto mean = [&](int first) {
-    double sum = 0.0;
-    for (const double one : likeness_at(levels[1], looks[1], truth, first, 1)) sum += one;
-    return sum;
-  };
+  const auto mean = [&](int first) { return mean_likeness(levels[1], looks[1], truth, first); };
   const int first = mean(0) > mean(1) ? 0 : 1;
   const BentKnit found = tracked(levels, looks, guess, first);
   double sum = 0.0;
