@@ -16,9 +16,8 @@ namespace {
 
 constexpr std::size_t coarsest_nodes = 1000;  // factorised in a millisecond, solved in much less
 // Edges of a coarse lattice differ a little near the border of any mask, and that is no reason to
-// part its cells; where they are given weights, parting them early halves the cycles.
+// part its cells.
 constexpr float least_strength = 0.1f;
-constexpr float least_strength_weighted = 0.2f;
 // One sweep on the way down and one on the way up, each over-relaxed in the half that nothing else
 // asks to be exact: about as good as one sweep more.
 constexpr float over = 1.2f;
@@ -31,7 +30,7 @@ constexpr std::size_t last_visited_twice = 2;
 constexpr double least_rate = 0.1;       // of cycles, in the long run: the first ones do better
 constexpr double least_step_rate = 0.3;  // of steps of conjugate gradients
 constexpr double slow = 0.4;             // rate of cycles above which conjugate gradients pay
-// Where cycles are slow, and with weights, what is left is seen less well.
+// Where cycles are slow, what is left is seen less well.
 constexpr double careful_tolerance = 1e-5;
 
 System system_of(PixelLevel& level) {
@@ -80,12 +79,11 @@ Multigrid::Multigrid(PixelLevel finest) {
     levels_.push_back(std::move(level));
     return CoarsestSolver::size_of(levels_.back());
   };
-  const float least = finest.unit() ? least_strength : least_strength_weighted;
   std::size_t nodes = add(std::move(finest));
   cells_ = double(nodes);
   // Parts that hang together weakly are not joined, however small they are: stop when few were.
   for (std::size_t finer = 2 * nodes; nodes > coarsest_nodes && nodes < 0.8 * double(finer);) {
-    finer = std::exchange(nodes, add(coarsened(levels_.back(), least)));
+    finer = std::exchange(nodes, add(coarsened(levels_.back(), least_strength)));
   }
   coarsest_.emplace(levels_.back());
 }
@@ -185,8 +183,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     add_to_total(system, solution.value.data(), first, stages);
     if (end || slowly) {
       run(0, stages);
-      const auto take = [&](const Cells& step) { add_times(level.at, 1.0, step, solution.value); };
-      if (!end) conjugate_steps(tolerance, max_cycles, take, done, solution);
+      if (!end) conjugate_steps(tolerance, max_cycles, done, solution);
       return solution;
     }
     add_sweep_from_zero(system, before_restriction.red, stages);
@@ -203,22 +200,10 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   }
 }
 
-Multigrid::Solution Multigrid::solve_in_steps(double tolerance, int max_cycles,
-                                              const TakeStep& take, const CycleDone& done) {
-  Solution solution;
-  if (levels_.size() > 1) {
-    conjugate_steps(tolerance, max_cycles, take, done, solution);
-    return solution;
-  }
-  coarsest_->solve(levels_.front());
-  take(levels_.front().value);
-  return solution;
-}
-
 // Flexible conjugate gradients: every cycle gives a direction, which is made independent of the
 // last ones as far as the energy goes, and of which the best multiple is taken.
-void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep& take,
-                                const CycleDone& done, Solution& solution) {
+void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDone& done,
+                                Solution& solution) {
   struct Direction {
     Cells step;
     Cells image;  // A step
@@ -233,11 +218,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep
   double last_rate = 0.9;
   while (solution.cycles < max_cycles) {
     const Cells residual = level.right;
-    if (solution.cycles == 0) {
-      full_cycle(0);
-    } else {
-      cycle(0, true);
-    }
+    cycle(0, true);
     ++solution.cycles;
     std::vector<Stage> stages;
     add_rounding(system_of(level), magic_, stages);
@@ -255,9 +236,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep
     const double length = dot(level.at, residual, direction.step) / direction.energy;
     level.right = residual;
     add_times(level.at, -length, direction.image, level.right);
-    Cells step(level.nodes(), level.memory());
-    add_times(level.at, length, direction.step, step);
-    take(step);
+    add_times(level.at, length, direction.step, solution.value);
     const double size =
         std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
     const double rate = last > 0.0 ? std::clamp(size / last, least_step_rate, 0.9) : 0.9;
