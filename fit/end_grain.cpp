@@ -131,11 +131,15 @@ class Refinement {
   }
 
   std::vector<RingPoint> points_on(const std::vector<RingChain>& chains) const {
+    std::vector<GrowthRay> rays;
+    for (const double theta : flat_.theta) rays.emplace_back(frame_.lobes, theta);
     std::vector<RingPoint> points;
     for (std::size_t ring = 0; ring < chains.size(); ++ring) {
       for (const RingEdge& edge : chains[ring]) {
         const double theta = flat_.theta[std::size_t(edge.sector)];
-        points.push_back({frame_.place_of(edge.rho, theta), int(ring)});
+        const double radius = rays[std::size_t(edge.sector)].radius_at(edge.rho);
+        points.push_back(
+            {frame_.pith + radius * Eigen::Vector2d(std::cos(theta), std::sin(theta)), int(ring)});
       }
     }
     return points;
