@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "reconstruct/coarsen.h"
 #include "reconstruct/extra_nodes.h"
+#include "reconstruct/row_arithmetic.h"
 #include "reconstruct/row_kernels.h"
 #include "reconstruct/smooth.h"
 
@@ -24,9 +25,11 @@ constexpr float over = 1.2f;
 constexpr Relaxation before_restriction{over, 1.0f};
 constexpr Relaxation after_correction{1.0f, over};
 // The second and third levels are visited twice: what they leave would be half of all that a cycle
-// leaves, and they are small. Not within conjugate gradients: where the lattices are coarsened
-// badly, a second visit can undo more than it does.
+// leaves, and they are small. Not for the first height, which need not be as good; and not within
+// conjugate gradients: where the lattices are coarsened badly, a second visit can undo more than it
+// does.
 constexpr std::size_t last_visited_twice = 2;
+constexpr double most_extras = 0.002;    // of all cells, up to which they go without a sweep
 constexpr double least_rate = 0.1;       // of cycles, in the long run: the first ones do better
 constexpr double least_step_rate = 0.3;  // of steps of conjugate gradients
 constexpr double slow = 0.4;             // rate of cycles above which conjugate gradients pay
@@ -126,14 +129,44 @@ void Multigrid::go_up(std::size_t index) {
   relax_extras(level, level.value, level.right, false);
 }
 
-void Multigrid::cycle(std::size_t index, bool from_zero) {
-  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
-  const int visits = index > 0 && index <= visited_twice_ ? 2 : 1;
-  for (int visit = 0; visit < visits; ++visit) {
-    go_down(index, from_zero && visit == 0);
-    cycle(index + 1, true);
+// In one pass, where few extra nodes go without the sweeps in between.
+void Multigrid::go_up_and_down(std::size_t index) {
+  PixelLevel& level = levels_[index];
+  PixelLevel& coarse = levels_[index + 1];
+  if (double(level.extras.size()) > most_extras * double(level.at.size())) {
     go_up(index);
+    return go_down(index, false);
   }
+  correct_extras(level, coarse, level.value);
+  clear_extras(coarse, coarse.right);
+  {
+    const PulledByExtras pulled(level, level.value, level.right);
+    std::vector<Stage> stages;
+    add_correction(system_of(level), coarse, stages);
+    add_sweep(system_of(level), after_correction, stages);
+    add_sweep(system_of(level), before_restriction, stages);
+    add_restriction(system_of(level), coarse, stages);
+    run(index, stages);
+  }
+  restrict_extras(level, level.value, level.right, coarse);
+}
+
+// What is left of a cycle after the way down from a level.
+void Multigrid::come_back(std::size_t index) {
+  const int visits = index > 0 && index <= visited_twice_ ? 2 : 1;
+  for (int visit = 1; visit < visits; ++visit) {
+    cycle(index + 1);
+    go_up_and_down(index);
+  }
+  cycle(index + 1);
+  go_up(index);
+}
+
+// From a value of 0.
+void Multigrid::cycle(std::size_t index) {
+  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
+  go_down(index, true);
+  come_back(index);
 }
 
 // The solution of a level from nothing but its right-hand side.
@@ -143,8 +176,8 @@ void Multigrid::full_cycle(std::size_t index) {
   restrict_right(level, levels_[index + 1]);
   full_cycle(index + 1);
   clear(level, level.value);
-  go_up(index);
-  cycle(index, false);
+  go_up_and_down(index);
+  come_back(index);
 }
 
 // Root mean square of what the second level has to correct.
@@ -161,7 +194,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     solution.value = level.value;
     return solution;
   }
-  visited_twice_ = last_visited_twice;
+  visited_twice_ = 0;
   const System system = system_of(level);
   solution.value = Cells(level.value.size(), level.memory());
   restrict_right(level, levels_[1]);
@@ -190,7 +223,8 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     add_restriction(system, levels_[1], stages);
     clear_extras(levels_[1], levels_[1].right);
     run(0, stages);
-    cycle(1, true);
+    visited_twice_ = last_visited_twice;
+    cycle(1);
     ++solution.cycles;
     const double size = coarse_size();
     rate = last > 0.0 ? std::clamp(size / last, least_rate, 0.9) : 0.9;
@@ -218,7 +252,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDon
   double last_rate = 0.9;
   while (solution.cycles < max_cycles) {
     const Cells residual = level.right;
-    cycle(0, true);
+    cycle(0);
     ++solution.cycles;
     std::vector<Stage> stages;
     add_rounding(system_of(level), magic_, stages);

@@ -46,10 +46,12 @@ class Multigrid {
   Solution solve(double tolerance, int max_cycles, const CycleDone& done = {});
 
  private:
-  void cycle(std::size_t index, bool from_zero);
+  void cycle(std::size_t index);
   void full_cycle(std::size_t index);
   void go_down(std::size_t index, bool from_zero);
   void go_up(std::size_t index);
+  void go_up_and_down(std::size_t index);
+  void come_back(std::size_t index);
   void run(std::size_t index, const std::vector<Stage>& stages);
   double coarse_size() const;
   void conjugate_steps(double tolerance, int max_cycles, const CycleDone& done, Solution& solution);

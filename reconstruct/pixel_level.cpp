@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "reconstruct/row_arithmetic.h"
 #include "reconstruct/row_kernels.h"
 
 namespace hada {

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "reconstruct/rise_kernels.h"
+#include "reconstruct/row_arithmetic.h"
 #include "reconstruct/row_kernels.h"
 
 namespace hada {
@@ -67,14 +68,15 @@ void SlopeSolver::set_right(const SlopeMap& slopes) {
 // Laid out as a grid, without the mean of every region.
 Grid<float> SlopeSolver::levelled(const Cells& value) const {
   const Dealt& at = multigrid_->finest().at;
-  Grid<float> height(at.rows, at.cols, 0.0f, mask_.memory());
+  const auto gather = [&](int row, float* whole) {
+    row_kernels::gather(at.block, value.data() + at.start(row, 0), value.data() + at.start(row, 1),
+                        whole);
+  };
   std::vector<double> sums(regions_.runs.size());
   for_slices(at.rows, [&](int begin, int end) {
     std::vector<float> whole(std::size_t(at.stride()));
     for (int row = begin; row < end; ++row) {
-      row_kernels::gather(at.block, value.data() + at.start(row, 0),
-                          value.data() + at.start(row, 1), whole.data());
-      std::copy_n(whole.begin(), at.cols, height.row(row).begin());
+      gather(row, whole.data());
       for (std::size_t run = regions_.starts[std::size_t(row)];
            run < regions_.starts[std::size_t(row) + 1]; ++run) {
         const auto [first, last, region] = regions_.runs[run];
@@ -87,11 +89,15 @@ Grid<float> SlopeSolver::levelled(const Cells& value) const {
     const auto region = std::size_t(regions_.runs[run].region);
     mean[region] += sums[run] / regions_.size[region];
   }
-  for_each_index(at.rows, [&](int row) {
-    const auto pixels = height.row(row);
-    for (const auto [first, last, region] : regions_.row(row)) {
-      const auto off = float(mean[std::size_t(region)]);
-      for (int col = first; col < last; ++col) pixels[std::size_t(col)] -= off;
+  Grid<float> height(at.rows, at.cols, 0.0f, mask_.memory());
+  for_slices(at.rows, [&](int begin, int end) {
+    std::vector<float> whole(std::size_t(at.stride()));
+    for (int row = begin; row < end; ++row) {
+      gather(row, whole.data());
+      for (const auto [first, last, region] : regions_.row(row)) {
+        row_kernels::subtract(last - first, float(mean[std::size_t(region)]), whole.data() + first,
+                              height.row(row).data() + first);
+      }
     }
   });
   return height;
