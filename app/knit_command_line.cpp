@@ -52,6 +52,11 @@ void add_wear(Commands& commands, CLI::App& knit) {
                            "mesh: .obj, .ply, .gltf or .glb (default: a leg of 700 mm)");
         add_material(command, a);
         WearOptions& o = a.options;
+        command
+            .add_option("--shell", a.shell,
+                        "tube (default), open at both ends; or stocking, with heel and toe, for a "
+                        "leg that stands on its foot")
+            ->check(CLI::IsMember({"tube", "stocking"}));
         command.add_option("--courses", o.courses, "rings of stitches (default: 150)")
             ->check(CLI::Range(3, most_stitches));
         command.add_option("--wales", o.wales, "stitches of a ring (default: 150)")

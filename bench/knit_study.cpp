@@ -93,7 +93,7 @@ WearStudy study_wear(int count) {
   const auto yarns = taut_yarns(body, knit);
   study.seconds = seconds_since(start);
   study.steps = knit.steps, study.settled = knit.settled;
-  study.cut = penetrating(body, knit, straight_lines(knit.net), 1e-6);
+  study.cut = penetrating(body, knit, straight_lines(knit), 1e-6);
   study.penetrating = penetrating(body, knit, yarns.lines, 1e-6);
   return study;
 }

@@ -10,12 +10,10 @@
 #include "core/parallel.h"
 
 namespace hada {
-namespace {
 
 using Eigen::Vector3d;
 
-// The middle of the body's outline at a height: the mean place of that line.
-Vector3d middle_at(const Body& body, int axis, double height) {
+Outline outline_at(const Body& body, int axis, double height) {
   Vector3d sum = Vector3d::Zero();
   double length = 0.0;
   for (const auto& t : body.mesh().triangles) {
@@ -33,10 +31,8 @@ Vector3d middle_at(const Body& body, int axis, double height) {
   if (length == 0.0) {
     throw Error(fmt::format("the body has no outline at {:g} mm", height));
   }
-  return sum / length;
+  return {sum / length, length};
 }
-
-}  // namespace
 
 TubeSpan tube_span(const Body& body, const WearOptions& options) {
   Vector3d low = body.mesh().vertices_mm[0], high = low;
@@ -58,7 +54,7 @@ std::vector<MeshPlace> drawn_over(const Body& body, const WearOptions& o, const 
   std::vector<MeshPlace> places(std::size_t(o.courses * o.wales));
   for_each_index(o.courses, [&](int course) {
     const double height = span.from + (span.to - span.from) * course / (o.courses - 1.0);
-    const Vector3d middle = middle_at(body, o.axis, height);
+    const Vector3d middle = outline_at(body, o.axis, height).middle;
     const Vector3d u = Vector3d::Unit((o.axis + 1) % 3), v = Vector3d::Unit((o.axis + 2) % 3);
     for (int wale = 0; wale < o.wales; ++wale) {
       const double turn = 2.0 * std::numbers::pi * wale / o.wales;

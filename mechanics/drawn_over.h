@@ -6,6 +6,14 @@
 
 namespace hada {
 
+/// The line in which a level plane cuts a body.
+struct Outline {
+  Eigen::Vector3d middle;  // the mean place of the line
+  double length = 0.0;
+};
+/// throws  Error if there is none at that height
+Outline outline_at(const Body& body, int axis, double height);
+
 /// Between which heights a tube is drawn over a body.
 struct TubeSpan {
   double from = 0.0;

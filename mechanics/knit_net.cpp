@@ -91,6 +91,13 @@ KnitSprings springs_of(const KnitNet& net, const Places& places) {
   return s;
 }
 
+double largest_tension(const KnitSprings& springs) {
+  double most = 1e-300;
+  for (const double t : springs.along_tension) most = std::max(most, std::abs(t));
+  for (const double t : springs.up_tension) most = std::max(most, std::abs(t));
+  return most;
+}
+
 Places forces(const KnitNet& net, const KnitSprings& s) {
   const auto along = [&](int spring, int next) -> Vector3d {
     const double handed = next >= 0 ? net.continuity * s.along_tension[std::size_t(next)] : 0.0;

@@ -52,6 +52,7 @@ struct KnitSprings {
   std::vector<double> along_tension, up_tension;  // > 0 where it pulls
 };
 KnitSprings springs_of(const KnitNet& net, const Places& places);
+double largest_tension(const KnitSprings& springs);
 
 /// The force on every point, those that are pinned too.
 Places forces(const KnitNet& net, const KnitSprings& springs);

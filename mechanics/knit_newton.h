@@ -3,19 +3,9 @@
 #include <vector>
 
 #include "mechanics/grid_cholesky.h"
-#include "mechanics/knit_net.h"
+#include "mechanics/knit_frames.h"
 
 namespace hada {
-
-/// The directions in which each point may move: the first `free` columns, of unit length and
-/// perpendicular. On a surface they are two tangents.
-struct KnitFrames {
-  int free = 2;
-  std::vector<Eigen::Matrix3d> axes;
-  // What the force within the frame changes by, besides J, because the frame turns as its point
-  // moves; empty: frames stay as they are.
-  std::vector<Eigen::Matrix3d> turning = {};
-};
 
 /// Newton's steps of a knit: where its forces would vanish if they changed as they begin to.
 ///
@@ -23,9 +13,6 @@ struct KnitFrames {
 /// apart. It is never formed: GMRES applies `force_changes`, preconditioned by the factors of the
 /// symmetric net whose yarns are 1 + 3 c times as stiff along, which a slowly changing J looks
 /// like.
-///
-/// Source: Saad and Schultz, GMRES, SIAM J. Sci. Stat. Comput. 7 (1986), preconditioned from the
-/// right.
 class KnitNewton {
  public:
   KnitNewton(const KnitNet& net, int free);

@@ -85,10 +85,7 @@ KnitAtRest knit_at_rest(const KnitNet& net, Places start, const KnitRestOptions&
     drag *= std::min(after / before, 0.7);
     if (drag < least_drag) drag = 0.0;
   }
-  double tension = 1e-300;
-  for (const double t : springs.along_tension) tension = std::max(tension, std::abs(t));
-  for (const double t : springs.up_tension) tension = std::max(tension, std::abs(t));
-  rest.force_left = longest(load) / tension;
+  rest.force_left = longest(load) / largest_tension(springs);
   return rest;
 }
 

@@ -120,20 +120,14 @@ TautYarns::Line taut(const Body& body, const WornKnit& knit, TautYarns::Line lin
 
 }  // namespace
 
-std::vector<TautYarns::Line> straight_lines(const KnitNet& net) {
+std::vector<TautYarns::Line> straight_lines(const WornKnit& knit) {
   std::vector<TautYarns::Line> lines;
-  for (int i = 0; i < net.points(); ++i) {
-    const int wale = i % net.wales;
-    if (wale + 1 < net.wales || net.round) {
-      lines.push_back({i, i - wale + (wale + 1) % net.wales, {}});
-    }
-  }
-  for (int i = 0; i + net.wales < net.points(); ++i) lines.push_back({i, i + net.wales, {}});
+  for (const auto& spring : springs_of(knit)) lines.push_back({spring.from, spring.to, {}});
   return lines;
 }
 
 TautYarns taut_yarns(const Body& body, const WornKnit& knit) {
-  TautYarns yarns{straight_lines(knit.net)};
+  TautYarns yarns{straight_lines(knit)};
   for_each_index(int(yarns.lines.size()), [&](int i) {
     auto& line = yarns.lines[std::size_t(i)];
     line = taut(body, knit, line);

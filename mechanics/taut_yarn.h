@@ -27,6 +27,6 @@ int penetrating(const Body& body, const WornKnit& knit, const std::vector<TautYa
                 double allowed_mm);
 
 /// The same lines without points in between.
-std::vector<TautYarns::Line> straight_lines(const KnitNet& net);
+std::vector<TautYarns::Line> straight_lines(const WornKnit& knit);
 
 }  // namespace hada

@@ -9,86 +9,14 @@
 #include "core/parallel.h"
 #include "mechanics/drawn_over.h"
 #include "mechanics/knit_newton.h"
+#include "mechanics/slide.h"
 
 namespace hada {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double longest_slide = 0.3;  // of a step, over the girth of the tube at rest
-constexpr int worth_halving = 128;     // stitches each way
-constexpr double exactness = 5e-2;     // of a step
-constexpr double uphill = 1.5;
-constexpr double first_drag = 0.1;  // over the stiffness of nylon, once a step has failed
-constexpr double least_drag = 1e-3;
-// With friction the way counts, and must not lead beyond where points come to a stand: steps are
-// short and dragged, and the search ends where no force exceeds the friction by more than a share
-// of the largest tension.
-constexpr double rough_slide = 0.02, rough_drag = 0.3;
-constexpr double still = 2e-3;
-
-// What pulls each point along the surface and is not held by friction; and the frames there.
-struct Sliding {
-  Places load;
-  KnitFrames frames;
-  std::vector<double> press;
-  std::vector<bool> stuck;
-  double norm = 0.0, largest = 0.0;
-};
-
-Sliding sliding(const Body& body, const KnitNet& net, const KnitSprings& springs,
-                const std::vector<MeshPlace>& at, double friction) {
-  const auto n = std::size_t(net.points());
-  Sliding s;
-  s.load = forces(net, springs);
-  s.frames.axes.resize(n), s.frames.turning.resize(n);
-  s.press.resize(n);
-  s.stuck.assign(n, false);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vector3d normal = body.normal(at[i]);
-    const Vector3d first = normal.unitOrthogonal();
-    s.frames.axes[i] << first, normal.cross(first), normal;
-    s.press[i] = -normal.dot(s.load[i]);
-    // The tangents t turn by -n (t . dn): the force onto the body comes to pull along it.
-    s.frames.turning[i] = s.press[i] * body.curvature(at[i]);
-    s.load[i] += s.press[i] * normal;
-    const double along = s.load[i].norm(), held = friction * std::max(s.press[i], 0.0);
-    if (net.is_pinned(int(i)) || along <= held) {
-      s.stuck[i] = true;
-      s.load[i].setZero();
-    } else {
-      s.load[i] *= 1.0 - held / along;
-    }
-    s.norm += s.load[i].squaredNorm();
-    s.largest = std::max(s.largest, s.load[i].norm());
-  }
-  s.norm = std::sqrt(s.norm);
-  return s;
-}
-
-Places smooth_places(const Body& body, const std::vector<MeshPlace>& at) {
-  Places places;
-  for (const MeshPlace& place : at) places.push_back(body.smooth_place(place));
-  return places;
-}
-
-std::vector<MeshPlace> slid(const Body& body, const std::vector<MeshPlace>& at, const Places& way,
-                            double share) {
-  auto next = at;
-  for_each_index(int(at.size()), [&](int i) {
-    const auto p = std::size_t(i);
-    if (way[p].isZero(0.0)) return;
-    next[p] = body.tree().closest(at[p].place - share * way[p], at[p].triangle);
-  });
-  return next;
-}
-
-double largest_tension(const KnitSprings& springs) {
-  double most = 1e-300;
-  for (const double t : springs.along_tension) most = std::max(most, std::abs(t));
-  for (const double t : springs.up_tension) most = std::max(most, std::abs(t));
-  return most;
-}
+constexpr int worth_halving = 128;  // stitches each way
 
 void describe(WornKnit& worn, const KnitSprings& springs) {
   const KnitNet& net = worn.net;
@@ -106,7 +34,6 @@ void describe(WornKnit& worn, const KnitSprings& springs) {
                             springs.along[p].cross(across).norm());
     worn.slack += springs.along_tension[p] < 0.0;
     worn.slack += springs.up_tension[p] < 0.0;
-    worn.lifting += !net.is_pinned(i) && worn.press[p] < 0.0;
   }
 }
 
@@ -137,7 +64,9 @@ std::vector<MeshPlace> beginning(const Body& body, const WearOptions& o, const T
   return even;
 }
 
-void check(const WearOptions& o) {
+}  // namespace
+
+void expect_wearable(const WearOptions& o) {
   if (o.courses < 3 || o.wales < 3 || o.axis < 0 || o.axis > 2 || !(o.girth > 0.0) ||
       !(o.length > 0.0) || !(o.ratio > 0.0) || o.repeat.empty() || !(o.friction >= 0.0)) {
     throw Error(
@@ -146,10 +75,8 @@ void check(const WearOptions& o) {
   }
 }
 
-}  // namespace
-
 WornKnit worn(const Body& body, const WearOptions& options) {
-  check(options);
+  expect_wearable(options);
   const TubeSpan span = tube_span(body, options);
   auto at = drawn_over(body, options, span);
   const double girth = options.girth * smallest_girth(at, options);
@@ -165,46 +92,14 @@ WornKnit worn(const Body& body, const WearOptions& options) {
   std::fill_n(net.pinned.begin(), net.wales, true);
   std::fill_n(net.pinned.rbegin(), net.wales, true);
 
-  KnitNewton newton(net, 2);
-  KnitSprings springs = springs_of(net, smooth_places(body, at));
-  Sliding now = sliding(body, net, springs, at, options.friction);
-  const bool rough = options.friction > 0.0;
-  double drag = rough ? rough_drag : 0.0;
-  while (result.steps < options.most_steps && !result.settled && now.norm > 0.0) {
-    ++result.steps;
-    KnitNet held = net;
-    held.pinned = now.stuck;
-    const Places way = newton.step(held, springs, now.frames, now.load, exactness, drag);
-    const double length = longest(way);
-    if (!std::isfinite(length)) {  // nothing holds some point: only drag does
-      drag = drag == 0.0 ? first_drag : 4.0 * drag;
-      continue;
-    }
-    const double share =
-        std::min(1.0, (rough ? rough_slide : longest_slide) * girth / std::max(length, 1e-300));
-    auto next_at = slid(body, at, way, share);
-    KnitSprings next_springs = springs_of(net, smooth_places(body, next_at));
-    Sliding next = sliding(body, net, next_springs, next_at, options.friction);
-    result.last_step = length / net.wale_length;
-    result.settled = (drag == 0.0 && result.last_step < options.tolerance) ||
-                     (rough && next.largest < still * largest_tension(springs));
-    if (!result.settled && !(next.norm <= uphill * now.norm)) {
-      drag = drag == 0.0 ? first_drag : 4.0 * drag;
-      continue;
-    }
-    drag *= std::min(next.norm / now.norm, 0.5);
-    if (drag < least_drag) drag = 0.0;
-    if (rough) drag = std::max(drag, rough_drag);
-    at = std::move(next_at), springs = std::move(next_springs), now = std::move(next);
-  }
-  result.settled = result.settled || now.norm == 0.0;
-  result.sliding = now.largest / largest_tension(springs);
-  for (const MeshPlace& place : at) {
-    result.places.push_back(place.place);
-    result.triangles.push_back(place.triangle);
-    result.normals.push_back(body.normal(place));
-  }
-  result.press = std::move(now.press);
+  const auto rest =
+      slid_to_rest(body, net, KnitNewton(net, 2), std::move(at),
+                   {.longest_mm = (options.friction > 0.0 ? rough_slide : free_slide) * girth,
+                    .friction = options.friction,
+                    .most_steps = options.most_steps,
+                    .tolerance = options.tolerance});
+  const KnitSprings springs = springs_of(net, smooth_places(body, rest.knit.at));
+  take_rest(result, rest, net.pinned, largest_tension(springs));
   describe(result, springs);
   return result;
 }

@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "mechanics/body.h"
-#include "mechanics/knit_net.h"
+#include "mechanics/worn_knit.h"
 
 namespace hada {
 
@@ -24,23 +23,6 @@ struct WearOptions {
   double tolerance = 1e-3;  // of a step, over the distance of wales, where it ends
 };
 
-/// A knit on a body. Lists have an entry for each point of the net.
-struct WornKnit {
-  KnitNet net;
-  Places places;
-  Places normals;                          // of the body there, outward
-  std::vector<int> triangles;              // of the body's mesh
-  std::vector<double> press;               // force on the body, in lengths of mm times k of nylon
-  std::vector<double> area_mm2;            // of the knit that belongs to the point
-  std::vector<double> wale_mm, course_mm;  // distances of stitches there
-  int steps = 0;
-  bool settled = false;
-  double last_step = 0.0;  // over the distance of wales
-  double sliding = 0.0;    // largest force left along the body, over the largest tension
-  int slack = 0;           // springs that push: they buckle, and a rest may not be found
-  int lifting = 0;         // points that the body would have to hold: a knit would bridge there
-};
-
 /// A tube of stitches drawn over a body and let go: it slides until nothing pulls it along.
 ///
 /// The tube begins with even stitches around and along the body, on its surface; both ends are held
@@ -58,5 +40,8 @@ struct WornKnit {
 ///
 /// Source: Sakaguchi and Miyata (2013), section 6.
 WornKnit worn(const Body& body, const WearOptions& options = {});
+
+/// throws  Error if the options make no knit
+void expect_wearable(const WearOptions& options);
 
 }  // namespace hada

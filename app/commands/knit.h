@@ -34,6 +34,7 @@ struct KnitWearArguments {
   std::filesystem::path out = "worn";
   WearOptions options;
   std::string axis = "y";
+  std::string shell = "tube";
   double yarn_radius_mm = 0.0;           // 0: a tenth of the distance of wales
   std::optional<double> nylon_N_per_mm;  // k: pressures are then in kPa
   double turn_deg = 0.0;                 // of the pictures

@@ -12,6 +12,7 @@
 #include "io/json.h"
 #include "io/mesh_file.h"
 #include "io/output.h"
+#include "mechanics/wear_stocking.h"
 #include "mechanics/worn_maps.h"
 #include "synth/leg.h"
 
@@ -30,9 +31,9 @@ std::string points_csv(const WornKnit& knit, const std::vector<double>& density,
       "course,wale,x_mm,y_mm,z_mm,stitches_per_mm2,pressure_" + pressure_unit + ",transmittance\n";
   for (std::size_t i = 0; i < knit.places.size(); ++i) {
     const auto& p = knit.places[i];
-    const auto w = std::size_t(knit.net.wales);
-    text += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i / w, i % w, p.x(),
-                        p.y(), p.z(), density[i], pressure[i], light[i]);
+    text +=
+        fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", course_of(knit, int(i)),
+                    wale_of(knit, int(i)), p.x(), p.y(), p.z(), density[i], pressure[i], light[i]);
   }
   return text;
 }
@@ -48,11 +49,16 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
     options.repeat = repeat_of(knit);
   }
   terminal.step("reading the body");
-  const Body body(arguments.body ? read_mesh(*arguments.body) : leg_mesh());
+  const bool stocking = arguments.shell == "stocking";
+  if (stocking && arguments.loops) {
+    throw Error("--loops draws the loops of a tube: leave it out, or take --shell tube");
+  }
+  const LegShape leg{.foot_mm = stocking ? 230.0 : 0.0};
+  const Body body(arguments.body ? read_mesh(*arguments.body) : leg_mesh(leg));
   terminal.step("drawing the knit over it");
   WornKnit knit;
   try {
-    knit = worn(body, options);
+    knit = stocking ? worn_stocking(body, options) : worn(body, options);
   } catch (const Error& error) {
     throw Error((arguments.body ? arguments.body->string() : "the leg") + ": " + error.what());
   }
@@ -87,9 +93,13 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
   put_text(
       output, "points.csv",
       points_csv(knit, density, pressure, light, arguments.nylon_N_per_mm ? "kPa" : "k_per_mm"));
+  // The tip of a stocking, its last point, is no course.
+  const int courses = course_of(knit, int(knit.places.size()) - 1) + (stocking ? 0 : 1);
   const Json json = {{"hada", "knit_worn/1"},
-                     {"courses", knit.net.courses},
-                     {"wales", knit.net.wales},
+                     {"shell", arguments.shell},
+                     {"courses", courses},
+                     {"wales", options.wales},
+                     {"stitches", knit.places.size()},
                      {"steps", knit.steps},
                      {"settled", knit.settled},
                      {"sliding", knit.sliding},
@@ -103,10 +113,12 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
                      {"transmittance", range_of_values(light)}};
   put_text(output, "worn.json", json.dump(1) + "\n");
   output.commit();
-  terminal.say(fmt::format(
-      "{} x {} stitches, {} steps{}; {} points inserted, {} yarns inside the body",
-      knit.net.courses, knit.net.wales, knit.steps, knit.settled ? "" : " without coming to rest",
-      yarns.inserted, json["penetrating"].get<int>()));
+  terminal.say(
+      fmt::format("{} courses of {} wales, {} stitches, {} steps{}; {} points inserted, {} yarns "
+                  "inside the body",
+                  courses, options.wales, knit.places.size(), knit.steps,
+                  knit.settled ? "" : " without coming to rest", yarns.inserted,
+                  json["penetrating"].get<int>()));
   if (knit.slack > 0) {
     terminal.say(
         fmt::format("{} springs are slack: a smaller --length keeps them taut", knit.slack));

@@ -6,7 +6,7 @@
 #include "app/draw/lettering.h"
 #include "app/draw/lines.h"
 #include "app/draw/palette.h"
-#include "mechanics/taut_yarn.h"
+#include "mechanics/worn_knit.h"
 
 namespace hada {
 namespace {
@@ -37,7 +37,7 @@ Image net_picture(const KnitNet& net, const std::vector<Places>& states, int row
       return Vector2d(margin + double(s) * across + (p.x() - low.x()) / pitch,
                       margin + (high.y() - p.y()) / pitch);
     };
-    for (const auto& line : straight_lines(net)) {
+    for (const auto& line : springs_of(net)) {
       const bool supports = net.stiffness[std::size_t(line.from / net.wales)] > 1.0;
       draw_line(picture, pixel(line.from), pixel(line.to), half_width_px,
                 supports ? support : nylon);

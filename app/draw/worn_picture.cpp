@@ -62,20 +62,26 @@ Camera camera_for(const WornKnit& knit, const WornView& view) {
   return camera;
 }
 
-// The knit as a surface of two triangles for each cell, to ask which cell a place lies in.
-TriangleMesh cells_of(const WornKnit& knit) {
+// The knit as a surface of triangles, to ask which face of it a place lies in.
+struct Faces {
+  std::vector<ShellCell> cells;
   TriangleMesh mesh;
-  mesh.vertices_mm = knit.places;
-  const int w = knit.net.wales;
-  for (int course = 0; course + 1 < knit.net.courses; ++course) {
-    for (int wale = 0; wale < w; ++wale) {
-      const int a = course * w + wale, b = course * w + (wale + 1) % w;
-      mesh.triangles.push_back({a, b, b + w});
-      mesh.triangles.push_back({a, b + w, a + w});
+  std::vector<int> cell_of;  // each triangle
+
+  explicit Faces(const WornKnit& knit) : cells(cells_of(knit)) {
+    mesh.vertices_mm = knit.places;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const auto& c = cells[k].corners;
+      for (std::size_t i = 2; i < c.size(); ++i) {
+        mesh.triangles.push_back({c[0], c[i - 1], c[i]});
+        cell_of.push_back(int(k));
+      }
     }
   }
-  return mesh;
-}
+  const ShellCell& at(const MeshPlace& place) const {
+    return cells[std::size_t(cell_of[std::size_t(place.triangle)])];
+  }
+};
 
 // Where a ray that comes down along -d over `place` meets a yarn, and what it sees there.
 struct YarnHit {
@@ -92,8 +98,9 @@ class Scene {
         knit_(knit),
         yarns_(yarns),
         camera_(camera),
-        cells_(cells_of(knit)),
-        tree_(cells_),
+        faces_(knit),
+        springs_(springs_of(knit)),
+        tree_(faces_.mesh),
         radius_(radius),
         typical_mm_(std::sqrt(median(knit.area_mm2))) {
     light_ = light_in_view.x() * camera.right + light_in_view.y() * camera.up +
@@ -126,7 +133,7 @@ class Scene {
 
  private:
   int corner(const MeshPlace& at, int c) const {
-    return cells_.triangles[std::size_t(at.triangle)][std::size_t(c)];
+    return faces_.mesh.triangles[std::size_t(at.triangle)][std::size_t(c)];
   }
   std::optional<MeshPlace> on_knit(const Vector3d& place) const {
     const MeshPlace at = tree_.closest(place);
@@ -158,11 +165,13 @@ class Scene {
   }
 
   std::array<double, 3> veiled(const std::array<double, 3>& bare, const MeshPlace& at) const {
-    const int i = cells_.triangles[std::size_t(at.triangle)][0], w = knit_.net.wales;
-    const auto p = std::size_t(i), above = std::size_t(i + w),
-               next = std::size_t(i - i % w + (i % w + 1) % w);
-    const Vector3d along = (knit_.places[next] - knit_.places[p]).normalized(),
-                   up = (knit_.places[above] - knit_.places[p]).normalized(),
+    const ShellCell& cell = faces_.at(at);
+    const auto p = std::size_t(corner(at, 0));
+    const auto direction = [&](int spring) -> Vector3d {
+      const WornSpring& of = springs_[std::size_t(spring)];
+      return (knit_.places[std::size_t(of.to)] - knit_.places[std::size_t(of.from)]).normalized();
+    };
+    const Vector3d along = direction(cell.along), up = direction(cell.up),
                    normal = knit_.normals[p];
     const double passed =
         see_through(knit_.wale_mm[p], knit_.course_mm[p], radius_, along, up, normal, camera_.back);
@@ -183,8 +192,7 @@ class Scene {
     for (std::size_t k = 0; k <= line.between.size(); ++k) {
       const Vector3d to =
           k < line.between.size() ? line.between[k] : knit_.places[std::size_t(line.to)];
-      try_piece(place - lift, from, to, knit_.net.stiffness[std::size_t(line.from) / w()] > 1.0,
-                best);
+      try_piece(place - lift, from, to, springs_[std::size_t(line_index)].stiffness > 1.0, best);
       from = to;
     }
   }
@@ -213,24 +221,19 @@ class Scene {
     int last = -1;
     for (int k = 0; k < stops; ++k) {
       const auto at = on_knit(hit.place + camera_.back * (reach * k / (stops - 1)));
-      if (!at || at->triangle / 2 == last) continue;
-      last = at->triangle / 2;
-      const int first = corner({2 * last}, 0), right = corner({2 * last}, 1),
-                n = knit_.net.points();
-      for (const int line : {first, first + int(w()), n + first, n + right}) {
-        try_line(line, hit.place, best);
-      }
+      if (!at || faces_.cell_of[std::size_t(at->triangle)] == last) continue;
+      last = faces_.cell_of[std::size_t(at->triangle)];
+      for (const int line : faces_.at(*at).springs) try_line(line, hit.place, best);
     }
     return best.height < 0.0 ? bare : fibre_light(best.along, best.normal, best.supports);
   }
-
-  std::size_t w() const { return std::size_t(knit_.net.wales); }
 
   const Body& body_;
   const WornKnit& knit_;
   const TautYarns* yarns_;
   const Camera& camera_;
-  TriangleMesh cells_;
+  Faces faces_;
+  std::vector<WornSpring> springs_;
   MeshTree tree_;
   double radius_;
   double typical_mm_;  // a stitch

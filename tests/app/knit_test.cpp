@@ -34,6 +34,17 @@ TEST(Knit, IsWornOnTheShippedLeg) {
   }
 }
 
+TEST(Knit, IsWornAsAStockingWithHeelAndToe) {
+  const Scratch scratch;
+  const Answer said =
+      answer("knit wear --shell stocking --courses 40 --wales 32 --rows 120 --turn 90 -o " +
+             (scratch / "worn").string());
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("0 yarns inside the body"));
+  EXPECT_THAT(text_of(scratch / "worn/worn.json"), HasSubstr("\"shell\": \"stocking\""));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "worn/density.png"));
+}
+
 TEST(Knit, IsCalibratedFromItsCrossings) {
   const Scratch scratch;
   const std::string out = (scratch / "pulled").string();
@@ -54,10 +65,17 @@ TEST(Knit, RefusesWhatItCannotDoInOneSentence) {
       R"({"hada": "knit_crossings/1", "courses": 3, "wales": 3, "wale_mm": 1, "course_mm": 1,
           "clamp": "uniform", "repeat": [0, 1],
           "states": [{"along": "wale", "stretch": 1.2, "places_mm": [[0, 0]]}]})");
-  const std::vector<std::string> bad{
-      "knit wear " + flat,     "knit wear nothing.obj",      "knit wear --from 600 --to 100",
-      "knit wear --from nan",  "knit wear --courses 1",      "knit wear --girth -1",
-      "knit pull --stretch 0", "knit pull --along the-bias", "knit pull --material nothing.json"};
+  const std::vector<std::string> bad{"knit wear " + flat,
+                                     "knit wear nothing.obj",
+                                     "knit wear --from 600 --to 100",
+                                     "knit wear --from nan",
+                                     "knit wear --courses 1",
+                                     "knit wear --girth -1",
+                                     "knit wear --shell stocking --loops",
+                                     "knit wear --shell stocking --wales 8",
+                                     "knit pull --stretch 0",
+                                     "knit pull --along the-bias",
+                                     "knit pull --material nothing.json"};
   for (const std::string& words : bad) {
     const Answer said = answer(words + " -o " + (scratch / "x").string());
     EXPECT_EQ(said.code, 2) << words;

@@ -11,7 +11,7 @@ TEST(TautYarn, LeavesNoYarnInsideTheLeg) {
   const Body body(leg_mesh());
   for (const int count : {30, 90}) {
     const auto knit = worn(body, {.courses = count, .wales = count});
-    const auto straight = straight_lines(knit.net);
+    const auto straight = straight_lines(knit);
     EXPECT_EQ(straight.size(), std::size_t(count * (2 * count - 1)));
     const int before = penetrating(body, knit, straight, 1e-6);
     const auto taut = taut_yarns(body, knit);
