@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "fit/absorbance.h"
+#include "fit/dark_wood.h"
 #include "fit/pith.h"
 #include "fit/ring_edges.h"
 #include "fit/ring_radii.h"
@@ -21,6 +22,7 @@ constexpr double least_gain = 10.0;    // of the information criterion, for more
 constexpr double at_rest_px = 0.3;     // by which the pith may still move
 constexpr double sharp_px = 0.15;      // scatter that a shape cannot be blamed for
 constexpr int highest_level = 4;
+constexpr int vessel_rounds = 2;  // of taking vessels away and guessing the pith without them
 
 /// Lobes that a stem of this complexity may have, all flat.
 std::vector<GrowthLobe<>> lobes_of(int level, const Unrolled& flat) {
@@ -38,20 +40,32 @@ std::vector<GrowthLobe<>> lobes_of(int level, const Unrolled& flat) {
   return lobes;
 }
 
+GrowthFrame rough_frame(const PithGuess& guess) {
+  GrowthFrame frame;
+  frame.pith = guess.place;
+  frame.lobes = {{2, guess.oval_cosine, guess.oval_sine}, {3}};
+  return frame;
+}
+
+/// The mask without vessels and their blurred rims.
+Mask without_discs(Mask mask, const std::vector<Disc>& discs) {
+  constexpr double rim_px = 2.0;
+  for (const Disc& disc : discs)
+    for_pixels_in(disc, rim_px, mask, [&](int row, int col) { mask(row, col) = 0; });
+  return mask;
+}
+
 /// What is laid flat and refined together.
 class Refinement {
  public:
   Refinement(const Grid<float>& map, const Mask& mask, const Extent& extent, const PithGuess& guess)
-      : map_(map), mask_(mask), extent_(extent) {
-    frame_.pith = guess.place;
-    frame_.lobes = {{2, guess.oval_cosine, guess.oval_sine}, {3}};
-  }
+      : map_(map), mask_(mask), extent_(extent), frame_(rough_frame(guess)) {}
 
   /// Fits pieces of rings, of which nobody says which belong together, until the pith is at rest.
   void follow_pieces() {
     for (int round = 0; round < most_rounds; ++round) {
       lay_flat(rough_rays_px);
-      const auto chains = ring_chains(edges_, extent_.pitch);
+      const auto chains = ring_chains(edges_, flat_, extent_.pitch);
       if (chains.empty()) {
         throw Error("wood: no rings can be followed; give a sharper or larger picture of the end");
       }
@@ -59,7 +73,8 @@ class Refinement {
       const int count = int(chains.size());
       shape_ = fitted_shape(points, count, frame_, Scatter::relative);
       bool richer = false;
-      if (level_ < highest_level && shape_.scatter > sharp_px * extent_.pitch) {
+      // What was laid flat by a guess scatters by the guess's errors.
+      if (round > 0 && level_ < highest_level && shape_.scatter > sharp_px * extent_.pitch) {
         GrowthFrame frame = shape_.frame;
         frame.lobes = lobes_of(level_ + 1, flat_);
         auto better = fitted_shape(points, count, frame, Scatter::relative);
@@ -83,12 +98,14 @@ class Refinement {
     auto rings =
         edges_of_rings(ring_radii(flat_, extent_.pitch), edges_, flat_, reach, extent_.pitch);
     std::erase_if(rings, [](const RingChain& ring) { return ring.empty(); });
-    const auto chains = ring_chains(edges_, extent_.pitch);
+    const auto chains = ring_chains(edges_, flat_, extent_.pitch);
     for (RingChain& ring : wandering_rings(rings, chains, flat_, reach, extent_.pitch))
       rings.push_back(std::move(ring));
     std::stable_sort(rings.begin(), rings.end(), [](const RingChain& a, const RingChain& b) {
       return radius_of(a) < radius_of(b);
     });
+    std::erase_if(rings,
+                  [&](const RingChain& ring) { return !stands_out(ring, flat_, extent_.pitch); });
     seen_share_.clear();
     std::erase_if(rings, [&](const RingChain& ring) {
       const double share = double(ring.size()) / std::max(1, sectors_at(flat_, ring.front().rho));
@@ -114,11 +131,15 @@ class Refinement {
   }
 
   std::vector<RingPoint> points_on(const std::vector<RingChain>& chains) const {
+    std::vector<GrowthRay> rays;
+    for (const double theta : flat_.theta) rays.emplace_back(frame_.lobes, theta);
     std::vector<RingPoint> points;
     for (std::size_t ring = 0; ring < chains.size(); ++ring) {
       for (const RingEdge& edge : chains[ring]) {
         const double theta = flat_.theta[std::size_t(edge.sector)];
-        points.push_back({frame_.place_of(edge.rho, theta), int(ring)});
+        const double radius = rays[std::size_t(edge.sector)].radius_at(edge.rho);
+        points.push_back(
+            {frame_.pith + radius * Eigen::Vector2d(std::cos(theta), std::sin(theta)), int(ring)});
       }
     }
     return points;
@@ -147,8 +168,18 @@ EndGrain end_grain(const Surface& surface) {
   const int margin = std::max(2, std::min(extent.rows, extent.cols) / 200);
   grain.wood = without_background(brightness, surface.mask, margin);
   const auto map = absorbance(brightness);
-  const auto guess = pith_guess(ring_directions(line_field(map, grain.wood), extent), extent);
-  Refinement refinement(map, grain.wood, extent, guess);
+  const auto guess_in = [&](const Mask& mask) {
+    return pith_guess(ring_directions(line_field(map, mask), extent), extent);
+  };
+  auto guess = guess_in(grain.wood);
+  Mask clear = grain.wood;
+  for (int round = 0; round < vessel_rounds; ++round) {
+    const auto seen = dark_wood(brightness, grain.wood, rough_frame(guess), extent);
+    if (!seen) break;
+    clear = without_discs(grain.wood, seen->discs);
+    guess = guess_in(clear);
+  }
+  Refinement refinement(map, clear, extent, guess);
   refinement.follow_pieces();
   refinement.settle_rings();
   refinement.settle_rings();

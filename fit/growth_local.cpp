@@ -1,9 +1,9 @@
 #include "fit/growth_local.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
-#include <vector>
 
 namespace hada {
 namespace {
@@ -13,17 +13,41 @@ constexpr double lobe_prior = 0.08;  // a typical amplitude of order 2; others b
 /// Cosine and sine of every multiple of an angle, from those of the angle itself.
 class Multiples {
  public:
-  Multiples(double cosine, double sine) : turns_{{1.0, 0.0}}, turn_(cosine, sine) {}
+  Multiples(double cosine, double sine) : turn_(cosine, sine) { turns_[0] = 1.0; }
 
   const std::complex<double>& operator()(double order) {
-    while (double(turns_.size()) <= order) turns_.push_back(turns_.back() * turn_);
+    for (; known_ < std::size_t(order); ++known_) turns_[known_ + 1] = turns_[known_] * turn_;
     return turns_[std::size_t(order)];
   }
 
  private:
-  std::vector<std::complex<double>> turns_;
+  std::array<std::complex<double>, 65> turns_;  // the highest order of the field table is 64
   std::complex<double> turn_;
+  std::size_t known_ = 0;
 };
+
+/// `growth_at`, the derivatives written to any vector.
+template <typename Slopes>
+double set_growth(const GrowthFrame& frame, const Eigen::Vector2d& place, Slopes&& slopes) {
+  const Eigen::Vector2d arm = place - frame.pith;
+  const double r = std::max(arm.norm(), 1e-12);
+  const Eigen::Vector2d outward = arm / r, along(-outward.y(), outward.x());
+  Multiples multiples(outward.x(), outward.y());
+  double factor = 1.0, by_angle = 0.0, by_radius = 0.0;
+  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
+    const auto& lobe = frame.lobes[l];
+    const double share = share_at(lobe, r);
+    const auto turn = multiples(lobe.order);
+    const double height = lobe.cosine * turn.real() + lobe.sine * turn.imag();
+    factor += share * height;
+    by_angle += share * lobe.order * (lobe.sine * turn.real() - lobe.cosine * turn.imag());
+    if (share > 0.0 && share < 1.0) by_radius += height / (lobe.to_mm - lobe.from_mm);
+    slopes[Eigen::Index(2 + 2 * l)] = r * share * turn.real();
+    slopes[Eigen::Index(3 + 2 * l)] = r * share * turn.imag();
+  }
+  slopes.template head<2>() = -(factor + r * by_radius) * outward - by_angle * along;
+  return r * factor;
+}
 
 }  // namespace
 
@@ -47,26 +71,14 @@ GrowthFrame unpacked(GrowthFrame frame, const Eigen::VectorXd& state) {
 }
 
 GrowthLocal growth_at(const GrowthFrame& frame, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d arm = place - frame.pith;
-  const double r = std::max(arm.norm(), 1e-12);
-  const Eigen::Vector2d outward = arm / r, along(-outward.y(), outward.x());
-  Multiples multiples(outward.x(), outward.y());
   GrowthLocal local{0.0, Eigen::VectorXd(2 + 2 * Eigen::Index(frame.lobes.size()))};
-  double factor = 1.0, by_angle = 0.0, by_radius = 0.0;
-  for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
-    const auto& lobe = frame.lobes[l];
-    const double share = share_at(lobe, r);
-    const auto turn = multiples(lobe.order);
-    const double height = lobe.cosine * turn.real() + lobe.sine * turn.imag();
-    factor += share * height;
-    by_angle += share * lobe.order * (lobe.sine * turn.real() - lobe.cosine * turn.imag());
-    if (share > 0.0 && share < 1.0) by_radius += height / (lobe.to_mm - lobe.from_mm);
-    local.slopes[Eigen::Index(2 + 2 * l)] = r * share * turn.real();
-    local.slopes[Eigen::Index(3 + 2 * l)] = r * share * turn.imag();
-  }
-  local.rho = r * factor;
-  local.slopes.head<2>() = -(factor + r * by_radius) * outward - by_angle * along;
+  local.rho = set_growth(frame, place, local.slopes);
   return local;
+}
+
+double growth_at(const GrowthFrame& frame, const Eigen::Vector2d& place,
+                 Eigen::MatrixXd::ColXpr slopes) {
+  return set_growth(frame, place, slopes);
 }
 
 Eigen::VectorXd growth_prior(const GrowthFrame& frame) {

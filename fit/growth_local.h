@@ -20,6 +20,10 @@ struct GrowthLocal {
 
 GrowthLocal growth_at(const GrowthFrame& frame, const Eigen::Vector2d& place);
 
+/// The same for many places: `slopes` has a column for each; what comes back is the radius.
+double growth_at(const GrowthFrame& frame, const Eigen::Vector2d& place,
+                 Eigen::MatrixXd::ColXpr slopes);
+
 /// 1 over the variance that ordinary wood leaves each entry: nothing is known of a pith, and lobes
 /// are small.
 Eigen::VectorXd growth_prior(const GrowthFrame& frame);

@@ -129,8 +129,8 @@ std::vector<std::vector<RingEdge>> ring_edges(const Unrolled& flat, double pitch
   return edges;
 }
 
-std::vector<RingChain> ring_chains(const std::vector<std::vector<RingEdge>>& edges, double pitch,
-                                   int fewest) {
+std::vector<RingChain> ring_chains(const std::vector<std::vector<RingEdge>>& edges,
+                                   const Unrolled& flat, double pitch, int fewest) {
   const double reach = std::max(least_reach_px * pitch, reach_share * usual_distance(edges, pitch));
   const int sectors = int(edges.size());
   std::vector<std::vector<int>> chain_of;
@@ -157,7 +157,11 @@ std::vector<RingChain> ring_chains(const std::vector<std::vector<RingEdge>>& edg
       }
     }
   }
-  std::erase_if(chains, [&](const RingChain& chain) { return int(chain.size()) < fewest; });
+  std::erase_if(chains, [&](const RingChain& chain) {
+    double seen = 0.0;
+    for (const RingEdge& edge : chain) seen += 1.0 / (2.0 * flat.joined_at(edge.rho) + 1.0);
+    return seen < fewest - 1e-9;
+  });
   return chains;
 }
 

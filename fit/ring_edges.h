@@ -35,9 +35,10 @@ double middle_of_rise(std::span<const float> values, double index, double step_p
 /// Edges that follow each other from sector to sector: pieces of one ring.
 using RingChain = std::vector<RingEdge>;
 
-/// Chains of at least `fewest` edges. An edge goes on in the next sector, or the one after it,
-/// where the nearest is nearer than a fifth of the usual distance between rings.
-std::vector<RingChain> ring_chains(const std::vector<std::vector<RingEdge>>& edges, double pitch,
-                                   int fewest = 4);
+/// Chains of at least `fewest` edges that sectors see on their own: those that were averaged with
+/// their neighbours count as one. An edge goes on in the next sector, or the one after it, where
+/// the nearest is nearer than a fifth of the usual distance between rings.
+std::vector<RingChain> ring_chains(const std::vector<std::vector<RingEdge>>& edges,
+                                   const Unrolled& flat, double pitch, int fewest = 4);
 
 }  // namespace hada

@@ -13,7 +13,10 @@ constexpr double blur_px = 1.0;       // of the slopes that are summed over sect
 constexpr double small_rise = 0.08;   // of the spread of the profile: noise
 constexpr double smallest_px = 4.0;   // radius of a ring: below, it is the pith itself
 constexpr std::size_t cut_part = 10;  // of the sectors, one in so many is cut at each end
-constexpr double least_way = 0.5;     // around the pith, of a ring that wanders
+constexpr int nearest_beside = 2, farthest_beside = 6;  // sectors, that say where a ring should be
+constexpr double fewest_beside = 24.0;                  // sectors that a ring is judged by
+constexpr double clear_of_noise = 5.0;                  // deviations of a mean slope
+constexpr double least_way = 0.5;                       // around the pith, of a ring that wanders
 
 /// The mean slope over all sectors, column by column; the extreme ones are left out.
 std::vector<double> mean_slopes(const Unrolled& flat, double pitch) {
@@ -117,6 +120,32 @@ std::vector<RingChain> wandering_rings(const std::vector<RingChain>& rings,
       found.push_back(std::move(ring));
   }
   return found;
+}
+
+bool stands_out(RingChain ring, const Unrolled& flat, double pitch) {
+  std::stable_sort(ring.begin(), ring.end(),
+                   [](const RingEdge& a, const RingEdge& b) { return a.sector < b.sector; });
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  for (int s = 0; s < flat.values.rows(); ++s) {
+    std::vector<double> beside;
+    for (const RingEdge& edge : ring) {
+      const int apart = std::abs(edge.sector - s);
+      const int own = 2 * flat.joined_at(edge.rho);  // sectors that see a part of this one
+      if (apart >= own + nearest_beside && apart <= own + farthest_beside)
+        beside.push_back(edge.rho);
+    }
+    if (beside.empty()) continue;
+    const auto col = std::size_t(std::lround((median(std::move(beside)) - flat.first) / flat.step));
+    const auto slopes = slopes_along(flat.values.row(s), flat.step / pitch, blur_px);
+    if (col >= slopes.size() || !std::isfinite(slopes[col])) continue;
+    count += 1.0;
+    sum += slopes[col];
+    squares += slopes[col] * slopes[col];
+  }
+  if (count < fewest_beside) return true;
+  const double mean = sum / count;
+  const double variance = std::max(squares / count - mean * mean, 0.0);
+  return mean > clear_of_noise * std::sqrt(variance / count);
 }
 
 int sectors_at(const Unrolled& flat, double rho) {

@@ -25,22 +25,26 @@ struct Reduced {
   std::vector<Eigen::VectorXd> slope;  // of each ring: mean derivatives
 };
 
-Reduced reduced(const std::vector<RingPoint>& points, int rings, const GrowthFrame& frame,
-                const std::vector<double>& weights) {
-  const Eigen::Index size = packed(frame).size();
+/// Sums over all points, under `weights`.
+///
+/// rho, slopes  effective radius of each point and its derivatives, a column each
+/// rows         room for the weighted derivatives
+Reduced reduced(const std::vector<RingPoint>& points, int rings, const std::vector<double>& rho,
+                const Eigen::MatrixXd& slopes, const std::vector<double>& weights,
+                Eigen::MatrixXd& rows) {
+  const Eigen::Index size = slopes.rows();
   Reduced sums{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size),
                std::vector<double>(std::size_t(rings), 1e-300),
                std::vector<double>(std::size_t(rings), 0.0),
                std::vector<Eigen::VectorXd>(std::size_t(rings), Eigen::VectorXd::Zero(size))};
-  Eigen::MatrixXd rows(size, Eigen::Index(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto ring = std::size_t(points[i].ring);
-    const auto [rho, slope] = growth_at(frame, points[i].place);
+    const auto slope = slopes.col(Eigen::Index(i));
     sums.weight[ring] += weights[i];
-    sums.mean[ring] += weights[i] * rho;
+    sums.mean[ring] += weights[i] * rho[i];
     sums.slope[ring] += weights[i] * slope;
     rows.col(Eigen::Index(i)) = std::sqrt(weights[i]) * slope;
-    sums.right += weights[i] * rho * slope;
+    sums.right += weights[i] * rho[i] * slope;
   }
   sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(rows);
   sums.normal = sums.normal.selfadjointView<Eigen::Lower>();
@@ -90,9 +94,10 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
   const Eigen::VectorXd prior = growth_prior(start);
   std::vector<double> rho(points.size()), residuals(points.size()), weights(points.size(), 1.0);
   std::vector<double> unit(points.size(), 1.0);  // of the scatter of each point
+  Eigen::MatrixXd slopes(prior.size(), Eigen::Index(points.size())), rows = slopes;
   const auto look = [&] {
     for (std::size_t i = 0; i < points.size(); ++i)
-      rho[i] = growth_at(shape.frame, points[i].place).rho;
+      rho[i] = growth_at(shape.frame, points[i].place, slopes.col(Eigen::Index(i)));
     // The median of a ring does not mind points of another that were taken for its own.
     std::vector<std::vector<double>> of_ring{std::size_t(rings)};
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -119,7 +124,7 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
   Reduced sums;
   look();
   for (int round = 0; round < rounds; ++round) {
-    sums = reduced(points, rings, shape.frame, weights);
+    sums = reduced(points, rings, rho, slopes, weights, rows);
     const Eigen::VectorXd state = packed(shape.frame);
     const double variance = shape.scatter * shape.scatter;
     Eigen::MatrixXd normal = sums.normal;
@@ -142,7 +147,7 @@ RingShape fitted_shape(const std::vector<RingPoint>& points, int rings, const Gr
   for (std::size_t i = 0; i < points.size(); ++i)
     mean_weight += weights[i] * unit[i] * unit[i] / double(points.size());
   const double variance = effect * shape.scatter * shape.scatter * mean_weight;
-  sums = reduced(points, rings, shape.frame, weights);
+  sums = reduced(points, rings, rho, slopes, weights, rows);
   Eigen::MatrixXd information = sums.normal / variance;
   information.diagonal() += prior;
   information.diagonal() *= 1.0 + 1e-10;

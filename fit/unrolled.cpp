@@ -89,7 +89,7 @@ View view_of(const Mask& mask, const Extent& extent, const GrowthFrame& frame) {
 
 /// Near the pith a sector is a pixel or two wide and as noisy as these: there, the mean of
 /// neighbours.
-void join_narrow_sectors(Unrolled& flat, double pitch) {
+void join_narrow_sectors(Unrolled& flat) {
   const int sectors = flat.values.rows();
   const auto at = [&](const std::vector<float>& column, int s) {
     if (flat.whole_turn) return column[std::size_t((s + sectors) % sectors)];
@@ -97,9 +97,7 @@ void join_narrow_sectors(Unrolled& flat, double pitch) {
   };
   std::vector<float> column(static_cast<std::size_t>(sectors));
   for (int col = 0; col < flat.values.cols(); ++col) {
-    const double arc_px = std::max(flat.rho(col) * flat.sector_rad / pitch, 0.01);
-    const int reach =
-        std::min(int(std::lround(0.5 * (joined_px / arc_px - 1.0))), sectors / most_joined);
+    const int reach = flat.joined_at(flat.rho(col));
     if (reach < 1) return;
     for (int s = 0; s < sectors; ++s) column[std::size_t(s)] = flat.values(s, col);
     for (int s = 0; s < sectors; ++s) {
@@ -118,6 +116,12 @@ void join_narrow_sectors(Unrolled& flat, double pitch) {
 }
 
 }  // namespace
+
+int Unrolled::joined_at(double rho) const {
+  const double arc = std::max(rho * sector_rad, 1e-3 * joined);
+  if (arc >= joined) return 0;
+  return std::min(int(std::lround(0.5 * (joined / arc - 1.0))), values.rows() / most_joined);
+}
 
 float value_at(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
   return sampled(map, mask, pixel);
@@ -168,7 +172,8 @@ Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent
     std::vector<int> count(std::size_t(cols), 0);
     for (int s = begin; s < end; ++s) lay(s, seen, count);
   });
-  join_narrow_sectors(flat, extent.pitch);
+  flat.joined = joined_px * extent.pitch;
+  join_narrow_sectors(flat);
   return flat;
 }
 

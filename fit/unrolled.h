@@ -34,8 +34,12 @@ struct Unrolled {
   double step = 0.5;          // from column to column
   double sector_rad = 0.0;    // width of a sector
   bool whole_turn = false;    // the last sector is a neighbour of the first
+  double joined = 0.0;        // arc that a sector sees at least, in the unit of the extent
 
   double rho(double col) const { return first + col * step; }
+
+  /// How many sectors on each side a sector at this effective radius was averaged with.
+  int joined_at(double rho) const;
 };
 
 struct UnrollOptions {

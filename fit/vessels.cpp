@@ -2,131 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "core/quantile.h"
-#include "fit/absorbance.h"
+#include "fit/dark_wood.h"
 #include "measure/background.h"
 
 namespace hada {
 namespace {
 
-constexpr double least_radius_px = 4.0;
-constexpr double least_depth = 0.15;    // of a vessel, beside the brightness of the wood
-constexpr double least_contrast = 4.0;  // depth over the scatter of the wood
-constexpr double least_piece_px = 2.5;  // radius of what is more than a remnant of taking apart
 constexpr std::size_t fewest = 10;
-constexpr double sector_px = 150.0;  // along a ring: wood that shares one brightness
-constexpr int coarse = 4;            // px, from one to the next, for a first look
-constexpr double astray = 0.05;      // most of the vessels of a ring-porous wood that lie elsewhere
-
-/// Pixels of the wood with their effective radius, in px, and the cell whose wood they belong to.
-struct Place {
-  int row, col;
-  std::size_t cell;
-};
-
-class Ground {
- public:
-  Ground(const Grid<float>& brightness, const EndGrain& grain, const Extent& extent, int step)
-      : dark_(extent.rows, extent.cols, std::nanf("")) {
-    std::map<std::pair<int, int>, std::size_t> cells;
-    for (int row = step / 2; row < extent.rows; row += step) {
-      for (int col = step / 2; col < extent.cols; col += step) {
-        if (!grain.wood(row, col)) continue;
-        const Eigen::Vector2d place = extent.place(row, col);
-        const double rho = grain.shape.frame.rho_of(place) / extent.pitch;
-        const Eigen::Vector2d arm = place - grain.shape.frame.pith;
-        const int ring = int(rho / step);
-        const int sectors =
-            std::clamp(int(2.0 * std::numbers::pi * rho / (sector_px * step)), 1, 1024);
-        const int sector =
-            int((std::atan2(arm.y(), arm.x()) / (2.0 * std::numbers::pi) + 0.5) * sectors);
-        const auto [at, added] = cells.try_emplace({ring, sector}, cells.size());
-        places_.push_back({row, col, at->second});
-      }
-    }
-    ground_.resize(cells.size());
-    set_ground(brightness, 0.7, HUGE_VAL);
-    for (int round = 0; round < 2; ++round) {
-      set_depth();
-      set_ground(brightness, 0.5, 0.5 * depth_);
-    }
-    set_depth();
-  }
-
-  double depth() const { return depth_; }
-  double scatter() const { return scatter_; }
-
-  /// 0 where there is wood, 1 in vessels, NaN where there is neither.
-  Grid<float> dark() const {
-    Grid<float> result = dark_;
-    for (float& value : result) value /= float(depth_);
-    return result;
-  }
-
- private:
-  /// A quantile of what is in each cell, of that no darker than `darkest`.
-  void set_ground(const Grid<float>& brightness, double share, double darkest) {
-    std::vector<std::vector<float>> seen(ground_.size());
-    for (const Place& place : places_) {
-      if (darkest<HUGE_VAL&& double(dark_(place.row, place.col))> darkest) continue;
-      seen[place.cell].push_back(brightness(place.row, place.col));
-    }
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-      if (!seen[k].empty()) ground_[k] = quantile(std::move(seen[k]), share);
-    }
-    for (const Place& place : places_)
-      dark_(place.row, place.col) =
-          1.0f - brightness(place.row, place.col) / std::max(ground_[place.cell], 1e-3f);
-  }
-
-  /// Two kinds of pixels, told apart where their means differ most (Otsu 1979).
-  void set_depth() {
-    constexpr int bins = 128;
-    std::vector<double> count(bins, 0.0), sum(bins, 0.0);
-    for (const Place& place : places_) {
-      const double value = std::clamp(double(dark_(place.row, place.col)), -0.999, 0.999);
-      const auto bin = std::size_t((value + 1.0) * 0.5 * bins);
-      count[bin] += 1.0;
-      sum[bin] += value;
-    }
-    double all = 0.0, total = 0.0, below = 0.0, below_sum = 0.0, best = 0.0, threshold = 0.0;
-    for (std::size_t k = 0; k < bins; ++k) {
-      all += count[k];
-      total += sum[k];
-    }
-    for (std::size_t k = 0; k + 1 < bins; ++k) {
-      below += count[k];
-      below_sum += sum[k];
-      if (below <= 0.0 || all - below <= 0.0) continue;
-      const double apart = below_sum / below - (total - below_sum) / (all - below);
-      const double between = below * (all - below) * apart * apart;
-      if (between <= best) continue;
-      best = between;
-      threshold = 2.0 * double(k + 1) / bins - 1.0;
-    }
-    std::vector<float> wood, vessels;
-    for (const Place& place : places_) {
-      const float value = dark_(place.row, place.col);
-      (double(value) > threshold ? vessels : wood).push_back(value);
-    }
-    depth_ = scatter_ = 0.0;
-    if (vessels.empty() || wood.empty()) return;
-    depth_ = double(median(std::move(vessels)));
-    scatter_ = 0.5 * double(quantile(wood, 0.84) - quantile(wood, 0.16));
-  }
-
-  std::vector<Place> places_;
-  std::vector<float> ground_;
-  Grid<float> dark_;
-  double depth_ = 0.0, scatter_ = 0.0;
-};
-
-bool shows_vessels(const Ground& ground) {
-  return ground.depth() > least_depth && ground.depth() > least_contrast * ground.scatter();
-}
+constexpr double astray = 0.05;  // most of the vessels of a ring-porous wood that lie elsewhere
 
 /// The mask without what lies nearer to its border than `margin`.
 Mask clear_of_border(const Mask& mask, int margin) {
@@ -162,25 +48,42 @@ struct Told {
   double zone = 0.0;  // phase up to which vessels belong to the boundary
 };
 
+constexpr double zone_step = 0.02;  // of the phase, between zones that are tried
+
+/// The share of all `phases` that lies below each multiple of the step; a phase lies in [0, 1).
+std::vector<double> shares_below(const std::vector<double>& phases) {
+  std::vector<double> below(std::size_t(std::lround(1.0 / zone_step)) + 1, 0.0);
+  for (const double phase : phases)
+    below[std::min(std::size_t(phase / zone_step) + 1, below.size() - 1)] += 1.0;
+  for (std::size_t k = 1; k < below.size(); ++k) below[k] += below[k - 1];
+  for (double& share : below) share /= double(std::max<std::size_t>(phases.size(), 1));
+  return below;
+}
+
 /// Three ways to lie in a ring, by the Bayesian information criterion.
-Told told(const std::vector<double>& phases) {
+///
+/// phases  of vessels
+/// places  phases of all places where a vessel would have been counted, alike likely if diffuse
+Told told(const std::vector<double>& phases, const std::vector<double>& places) {
   const double n = double(phases.size());
+  const auto of_vessels = shares_below(phases), of_places = shares_below(places);
   double ring = -HUGE_VAL, both = -HUGE_VAL;
   Told result;
   double ring_zone = 0.0, both_zone = 0.0;
-  for (double zone = 0.04; zone <= 0.7; zone += 0.02) {
-    const double inside =
-        double(std::count_if(phases.begin(), phases.end(), [&](double v) { return v < zone; }));
+  for (std::size_t k = 2; double(k) * zone_step < 0.71; ++k) {
+    const double zone = double(k) * zone_step, room = of_places[k];
+    if (room <= 0.0 || room >= 1.0) continue;
+    const double inside = n * of_vessels[k];
     const double strict = std::clamp(inside / n, 1.0 - astray, n / (n + 1.0));
     const double mixed = std::min(inside / n, 1.0 - 2.0 * astray);
     const auto likelihood = [&](double p) {
-      return inside * std::log(p / zone) + (n - inside) * std::log((1.0 - p) / (1.0 - zone));
+      return inside * std::log(p / room) + (n - inside) * std::log((1.0 - p) / (1.0 - room));
     };
     if (likelihood(strict) > ring) {
       ring = likelihood(strict);
       ring_zone = zone;
     }
-    if (mixed > zone && likelihood(mixed) > both) {
+    if (mixed > room && likelihood(mixed) > both) {
       both = likelihood(mixed);
       both_zone = zone;
     }
@@ -273,53 +176,66 @@ void set_along_rings(Vessels& vessels, const std::vector<Disc>& discs, double ot
 
 std::optional<Vessels> vessels_of(const Surface& surface, const EndGrain& grain) {
   const Extent& extent = surface.extent;
-  const auto brightness = luminance(surface.albedo);
-  if (!shows_vessels(Ground(brightness, grain, extent, coarse))) return std::nullopt;
-  const Ground ground(brightness, grain, extent, 1);
-  if (!shows_vessels(ground)) return std::nullopt;
-  const auto dark = ground.dark();
-  auto discs = dark_discs(dark);
-  std::erase_if(discs, [](const Disc& disc) { return disc.radius < least_piece_px; });
+  const GrowthFrame& frame = grain.shape.frame;
+  const auto seen = dark_wood(luminance(surface.albedo), grain.wood, frame, extent);
+  if (!seen) return std::nullopt;
   std::vector<double> sizes;
-  for (const Disc& disc : discs) sizes.push_back(disc.radius);
-  if (sizes.size() < fewest || median(sizes) < least_radius_px) return std::nullopt;
+  for (const Disc& disc : seen->discs) sizes.push_back(disc.radius);
 
   const Mask clear = clear_of_border(grain.wood, int(std::ceil(quantile(sizes, 0.95))));
   std::vector<double> radii = grain.shape.radii;
   std::sort(radii.begin(), radii.end());
   Vessels vessels;
+  Grid<float> phase_at(extent.rows, extent.cols, -1.0f);  // below 0 where no vessel is counted
+  std::vector<double> places;
+  for (int row = 0; row < extent.rows; ++row) {
+    for (int col = 0; col < extent.cols; ++col) {
+      if (!clear(row, col)) continue;
+      const double phase = phase_of(frame.rho_of(extent.place(row, col)), radii);
+      if (phase < 0.0) continue;
+      phase_at(row, col) = float(phase);
+      places.push_back(phase);
+    }
+  }
   std::vector<double> phases;
-  for (const Disc& disc : discs) {
+  for (const Disc& disc : seen->discs) {
     const int row = int(std::lround(disc.place.x())), col = int(std::lround(disc.place.y()));
-    if (!clear.contains(row, col) || !clear(row, col)) continue;
+    if (!clear.contains(row, col) || phase_at(row, col) < 0.0f) continue;
     const double phase =
-        phase_of(grain.shape.frame.rho_of(extent.place(disc.place.x(), disc.place.y())), radii);
+        phase_of(frame.rho_of(extent.place(disc.place.x(), disc.place.y())), radii);
     if (phase < 0.0) continue;
     phases.push_back(phase);
     vessels.discs.push_back(disc);
   }
   if (phases.size() < fewest) return std::nullopt;
-  const Told kind = told(phases);
+  const Told kind = told(phases, places);
   vessels.porosity = kind.porosity;
   vessels.probability = kind.probability;
 
+  // Dark that is part of no disc is a boundary whose brightness the wood nearby does not tell.
+  Mask covered(extent.rows, extent.cols, 0);
+  for (const Disc& disc : seen->discs) {
+    for_pixels_in(disc, 1.0, covered,
+                  [&](int row, int col) { covered(row, col) = seen->dark(row, col) >= 0.5f; });
+  }
   // Area in the zone along boundaries and beyond it, and the length of these boundaries.
   double zone = 0.0, beyond = 0.0, length = 0.0, darkness = 0.0;
   for (int row = 0; row < extent.rows; ++row) {
     for (int col = 0; col < extent.cols; ++col) {
-      if (!clear(row, col)) continue;
-      const double rho = grain.shape.frame.rho_of(extent.place(row, col));
-      const double phase = phase_of(rho, radii);
+      const double phase = double(phase_at(row, col));
       if (phase < 0.0) continue;
       (phase < kind.zone ? zone : beyond) += extent.pitch * extent.pitch;
       if (phase >= kind.zone) {
-        if (dark(row, col) >= 0.5f) darkness += extent.pitch * extent.pitch;
+        if (covered(row, col)) darkness += extent.pitch * extent.pitch;
         continue;
       }
-      const auto outer = std::upper_bound(radii.begin(), radii.end(), rho);
+      const Eigen::Vector2d place = extent.place(row, col);
+      const auto outer = std::upper_bound(radii.begin(), radii.end(), frame.rho_of(place));
       const double inner = *(outer - 1);
       const double last = std::sqrt(inner * inner + kind.zone * (*outer * *outer - inner * inner));
-      length += extent.pitch * extent.pitch / (last - inner) * inner / rho;
+      // Along the boundary in the picture: a frame that sees no whole turn may stretch its radii.
+      const double real = (place - frame.pith).norm();
+      length += extent.pitch * extent.pitch / (last - inner) * inner / real;
     }
   }
   std::vector<Disc> near, far;
@@ -329,8 +245,8 @@ std::optional<Vessels> vessels_of(const Surface& surface, const EndGrain& grain)
     set_scattered(vessels, far, darkness / beyond, beyond, extent.pitch);
   if (kind.porosity != Porosity::diffuse)
     set_along_rings(vessels, near, vessels.density.value * zone, length, extent.pitch);
-  vessels.shade = {1.0 - ground.depth(),
-                   std::max(0.01, ground.scatter() / std::sqrt(double(phases.size())))};
+  vessels.shade = {1.0 - seen->depth,
+                   std::max(0.01, seen->scatter / std::sqrt(double(phases.size())))};
   return vessels;
 }
 

@@ -8,6 +8,7 @@
 #include "reconstruct/coarsen_kernels.h"
 #include "reconstruct/extra_edges.h"
 #include "reconstruct/level_rows.h"
+#include "reconstruct/row_arithmetic.h"
 #include "reconstruct/split_blocks.h"
 
 namespace hada {

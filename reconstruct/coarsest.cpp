@@ -1,8 +1,6 @@
 #include "reconstruct/coarsest.h"
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 
 namespace hada {
 namespace {
@@ -56,53 +54,21 @@ CoarsestSolver::CoarsestSolver(const PixelLevel& level) {
     index[node] = int(nodes_.size());
     nodes_.push_back(PixelLevel::Node(node));
   }
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<int>& region = region_;
-  region.resize(nodes_.size());
-  std::iota(region.begin(), region.end(), 0);
-  const auto region_of = [&](int i) {
-    while (region[std::size_t(i)] != i)
-      i = region[std::size_t(i)] = region[std::size_t(region[std::size_t(i)])];
-    return i;
-  };
+  std::vector<GraphEdge> edges;
   for_edges(level, [&](std::size_t from, std::size_t to, double weight) {
-    if (weight == 0.0) return;
-    const int a = index[from];
-    const int b = index[to];
-    entries.emplace_back(a, a, weight);
-    entries.emplace_back(b, b, weight);
-    entries.emplace_back(a, b, -weight);
-    entries.emplace_back(b, a, -weight);
-    const auto [low, high] = std::minmax({region_of(a), region_of(b)});
-    region[std::size_t(high)] = low;
+    if (weight != 0.0) edges.push_back({index[from], index[to], weight});
   });
-  // One node of each region is tied to 0, which takes nothing from a right-hand side of zero sum.
-  for (int i = 0; i < int(nodes_.size()); ++i) {
-    if (region_of(i) == i) entries.emplace_back(i, i, 1.0);
-  }
-  Eigen::SparseMatrix<double> matrix(int(nodes_.size()), int(nodes_.size()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (!nodes_.empty()) factors_.compute(matrix);
-  for (int i = 0; i < int(nodes_.size()); ++i) region[std::size_t(i)] = region_of(i);
-  count_.assign(nodes_.size(), 0.0);
-  for (const int r : region) count_[std::size_t(r)] += 1.0;
-  right_.resize(int(nodes_.size()));
+  factors_.emplace(int(nodes_.size()), edges);
+  values_.resize(Eigen::Index(nodes_.size()));
 }
 
 void CoarsestSolver::solve(PixelLevel& level) {
-  if (nodes_.empty()) return;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    right_[Eigen::Index(i)] = level.right[std::size_t(nodes_[i])];
+    values_[Eigen::Index(i)] = level.right[std::size_t(nodes_[i])];
   }
-  const Eigen::VectorXd value = factors_.solve(right_);
-  std::vector<double> mean(nodes_.size(), 0.0);  // of the region that begins at a node
+  factors_->solve(values_);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto region = std::size_t(region_[i]);
-    mean[region] += value[Eigen::Index(i)] / count_[region];
-  }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const double levelled = value[Eigen::Index(i)] - mean[std::size_t(region_[i])];
-    level.value[std::size_t(nodes_[i])] = float(levelled);
+    level.value[std::size_t(nodes_[i])] = float(values_[Eigen::Index(i)]);
   }
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
+#include "reconstruct/graph_factors.h"
 #include "reconstruct/pixel_level.h"
 
 namespace hada {
@@ -25,10 +24,8 @@ class CoarsestSolver {
 
  private:
   std::vector<PixelLevel::Node> nodes_;
-  std::vector<int> region_;    // of a node: the first of its region
-  std::vector<double> count_;  // of nodes in the region that begins at a node
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
-  Eigen::VectorXd right_;
+  std::optional<GraphFactors> factors_;
+  Eigen::VectorXd values_;
 };
 
 }  // namespace hada

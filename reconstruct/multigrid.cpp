@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "reconstruct/coarsen.h"
 #include "reconstruct/extra_nodes.h"
+#include "reconstruct/row_arithmetic.h"
 #include "reconstruct/row_kernels.h"
 #include "reconstruct/smooth.h"
 
@@ -16,22 +17,23 @@ namespace {
 
 constexpr std::size_t coarsest_nodes = 1000;  // factorised in a millisecond, solved in much less
 // Edges of a coarse lattice differ a little near the border of any mask, and that is no reason to
-// part its cells; where they are given weights, parting them early halves the cycles.
+// part its cells.
 constexpr float least_strength = 0.1f;
-constexpr float least_strength_weighted = 0.2f;
 // One sweep on the way down and one on the way up, each over-relaxed in the half that nothing else
 // asks to be exact: about as good as one sweep more.
 constexpr float over = 1.2f;
 constexpr Relaxation before_restriction{over, 1.0f};
 constexpr Relaxation after_correction{1.0f, over};
 // The second and third levels are visited twice: what they leave would be half of all that a cycle
-// leaves, and they are small. Not within conjugate gradients: where the lattices are coarsened
-// badly, a second visit can undo more than it does.
+// leaves, and they are small. Not for the first height, which need not be as good; and not within
+// conjugate gradients: where the lattices are coarsened badly, a second visit can undo more than it
+// does.
 constexpr std::size_t last_visited_twice = 2;
+constexpr double most_extras = 0.002;    // of all cells, up to which they go without a sweep
 constexpr double least_rate = 0.1;       // of cycles, in the long run: the first ones do better
 constexpr double least_step_rate = 0.3;  // of steps of conjugate gradients
 constexpr double slow = 0.4;             // rate of cycles above which conjugate gradients pay
-// Where cycles are slow, and with weights, what is left is seen less well.
+// Where cycles are slow, what is left is seen less well.
 constexpr double careful_tolerance = 1e-5;
 
 System system_of(PixelLevel& level) {
@@ -80,12 +82,11 @@ Multigrid::Multigrid(PixelLevel finest) {
     levels_.push_back(std::move(level));
     return CoarsestSolver::size_of(levels_.back());
   };
-  const float least = finest.unit() ? least_strength : least_strength_weighted;
   std::size_t nodes = add(std::move(finest));
   cells_ = double(nodes);
   // Parts that hang together weakly are not joined, however small they are: stop when few were.
   for (std::size_t finer = 2 * nodes; nodes > coarsest_nodes && nodes < 0.8 * double(finer);) {
-    finer = std::exchange(nodes, add(coarsened(levels_.back(), least)));
+    finer = std::exchange(nodes, add(coarsened(levels_.back(), least_strength)));
   }
   coarsest_.emplace(levels_.back());
 }
@@ -128,14 +129,44 @@ void Multigrid::go_up(std::size_t index) {
   relax_extras(level, level.value, level.right, false);
 }
 
-void Multigrid::cycle(std::size_t index, bool from_zero) {
-  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
-  const int visits = index > 0 && index <= visited_twice_ ? 2 : 1;
-  for (int visit = 0; visit < visits; ++visit) {
-    go_down(index, from_zero && visit == 0);
-    cycle(index + 1, true);
+// In one pass, where few extra nodes go without the sweeps in between.
+void Multigrid::go_up_and_down(std::size_t index) {
+  PixelLevel& level = levels_[index];
+  PixelLevel& coarse = levels_[index + 1];
+  if (double(level.extras.size()) > most_extras * double(level.at.size())) {
     go_up(index);
+    return go_down(index, false);
   }
+  correct_extras(level, coarse, level.value);
+  clear_extras(coarse, coarse.right);
+  {
+    const PulledByExtras pulled(level, level.value, level.right);
+    std::vector<Stage> stages;
+    add_correction(system_of(level), coarse, stages);
+    add_sweep(system_of(level), after_correction, stages);
+    add_sweep(system_of(level), before_restriction, stages);
+    add_restriction(system_of(level), coarse, stages);
+    run(index, stages);
+  }
+  restrict_extras(level, level.value, level.right, coarse);
+}
+
+// What is left of a cycle after the way down from a level.
+void Multigrid::come_back(std::size_t index) {
+  const int visits = index > 0 && index <= visited_twice_ ? 2 : 1;
+  for (int visit = 1; visit < visits; ++visit) {
+    cycle(index + 1);
+    go_up_and_down(index);
+  }
+  cycle(index + 1);
+  go_up(index);
+}
+
+// From a value of 0.
+void Multigrid::cycle(std::size_t index) {
+  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
+  go_down(index, true);
+  come_back(index);
 }
 
 // The solution of a level from nothing but its right-hand side.
@@ -145,8 +176,8 @@ void Multigrid::full_cycle(std::size_t index) {
   restrict_right(level, levels_[index + 1]);
   full_cycle(index + 1);
   clear(level, level.value);
-  go_up(index);
-  cycle(index, false);
+  go_up_and_down(index);
+  come_back(index);
 }
 
 // Root mean square of what the second level has to correct.
@@ -163,7 +194,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     solution.value = level.value;
     return solution;
   }
-  visited_twice_ = last_visited_twice;
+  visited_twice_ = 0;
   const System system = system_of(level);
   solution.value = Cells(level.value.size(), level.memory());
   restrict_right(level, levels_[1]);
@@ -185,15 +216,15 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     add_to_total(system, solution.value.data(), first, stages);
     if (end || slowly) {
       run(0, stages);
-      const auto take = [&](const Cells& step) { add_times(level.at, 1.0, step, solution.value); };
-      if (!end) conjugate_steps(tolerance, max_cycles, take, done, solution);
+      if (!end) conjugate_steps(tolerance, max_cycles, done, solution);
       return solution;
     }
     add_sweep_from_zero(system, before_restriction.red, stages);
     add_restriction(system, levels_[1], stages);
     clear_extras(levels_[1], levels_[1].right);
     run(0, stages);
-    cycle(1, true);
+    visited_twice_ = last_visited_twice;
+    cycle(1);
     ++solution.cycles;
     const double size = coarse_size();
     rate = last > 0.0 ? std::clamp(size / last, least_rate, 0.9) : 0.9;
@@ -203,22 +234,10 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   }
 }
 
-Multigrid::Solution Multigrid::solve_in_steps(double tolerance, int max_cycles,
-                                              const TakeStep& take, const CycleDone& done) {
-  Solution solution;
-  if (levels_.size() > 1) {
-    conjugate_steps(tolerance, max_cycles, take, done, solution);
-    return solution;
-  }
-  coarsest_->solve(levels_.front());
-  take(levels_.front().value);
-  return solution;
-}
-
 // Flexible conjugate gradients: every cycle gives a direction, which is made independent of the
 // last ones as far as the energy goes, and of which the best multiple is taken.
-void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep& take,
-                                const CycleDone& done, Solution& solution) {
+void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDone& done,
+                                Solution& solution) {
   struct Direction {
     Cells step;
     Cells image;  // A step
@@ -233,11 +252,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep
   double last_rate = 0.9;
   while (solution.cycles < max_cycles) {
     const Cells residual = level.right;
-    if (solution.cycles == 0) {
-      full_cycle(0);
-    } else {
-      cycle(0, true);
-    }
+    cycle(0);
     ++solution.cycles;
     std::vector<Stage> stages;
     add_rounding(system_of(level), magic_, stages);
@@ -255,9 +270,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const TakeStep
     const double length = dot(level.at, residual, direction.step) / direction.energy;
     level.right = residual;
     add_times(level.at, -length, direction.image, level.right);
-    Cells step(level.nodes(), level.memory());
-    add_times(level.at, length, direction.step, step);
-    take(step);
+    add_times(level.at, length, direction.step, solution.value);
     const double size =
         std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
     const double rate = last > 0.0 ? std::clamp(size / last, least_step_rate, 0.9) : 0.9;

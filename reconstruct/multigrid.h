@@ -13,9 +13,6 @@ namespace hada {
 /// What is to happen after every cycle: how many there were, and the error that is left, in px.
 using CycleDone = std::function<void(int cycles, double error)>;
 
-/// Is given a step towards the solution, keeps it, and sets the right-hand side to what is left.
-using TakeStep = std::function<void(const Cells& step)>;
-
 /// Solves A x = right on a graph of pixels, A its Laplacian, matrix-free and in single precision.
 ///
 /// Full multigrid finds a first height; the residual is then formed from differences of neighbours,
@@ -47,20 +44,17 @@ class Multigrid {
   };
   /// Cycles until the error is estimated at `tolerance`, or `max_cycles` are done.
   Solution solve(double tolerance, int max_cycles, const CycleDone& done = {});
-  /// The same by conjugate gradients from the first cycle on; every step is given away, so that the
-  /// residual can be found in more than single precision, and the value returned is empty.
-  Solution solve_in_steps(double tolerance, int max_cycles, const TakeStep& take,
-                          const CycleDone& done = {});
 
  private:
-  void cycle(std::size_t index, bool from_zero);
+  void cycle(std::size_t index);
   void full_cycle(std::size_t index);
   void go_down(std::size_t index, bool from_zero);
   void go_up(std::size_t index);
+  void go_up_and_down(std::size_t index);
+  void come_back(std::size_t index);
   void run(std::size_t index, const std::vector<Stage>& stages);
   double coarse_size() const;
-  void conjugate_steps(double tolerance, int max_cycles, const TakeStep& take,
-                       const CycleDone& done, Solution& solution);
+  void conjugate_steps(double tolerance, int max_cycles, const CycleDone& done, Solution& solution);
 
   std::vector<PixelLevel> levels_;
   std::optional<CoarsestSolver> coarsest_;

@@ -3,24 +3,10 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "reconstruct/coarsen_kernels.h"
-#include "reconstruct/level_rows.h"
+#include "reconstruct/row_arithmetic.h"
+#include "reconstruct/row_kernels.h"
 
 namespace hada {
-
-EdgeWeights edge_weights(const Grid<float>& weight) {
-  const Grid<float> none(weight.rows(), weight.cols(), 0.0f, weight.memory());
-  EdgeWeights edges{none, none};
-  const auto both = [](float a, float b) { return 2.0f / (1.0f / a + 1.0f / b); };
-  for_each_index(weight.rows(), [&](int row) {
-    for (int col = 0; col < weight.cols(); ++col) {
-      const float here = weight(row, col);
-      if (col + 1 < weight.cols()) edges.east(row, col) = both(here, weight(row, col + 1));
-      if (row + 1 < weight.rows()) edges.south(row, col) = both(here, weight(row + 1, col));
-    }
-  });
-  return edges;
-}
 
 PixelLevel PixelLevel::of(const Mask& mask) {
   PixelLevel level(mask.memory());
@@ -38,29 +24,6 @@ PixelLevel PixelLevel::of(const Mask& mask) {
           row + 1 < at.rows ? mask.row(row + 1).data() : outside.data(), codes.data());
       row_kernels::deal(at.block, codes.data(), level.code.data() + at.start(row, 0),
                         level.code.data() + at.start(row, 1));
-    }
-  });
-  return level;
-}
-
-PixelLevel PixelLevel::of(const Mask& mask, const EdgeWeights& weights) {
-  PixelLevel level(mask.memory());
-  const Dealt& at = level.at = Dealt(mask.rows(), mask.cols());
-  for (auto* array : {&level.east, &level.south, &level.inverse}) {
-    *array = Cells(at.size(), level.memory());
-  }
-  for_each_index(at.rows, [&](int row) {
-    for (int col = 0; col < at.cols; ++col) {
-      if (!mask(row, col)) continue;
-      const auto cell = std::size_t(at.cell(row, col));
-      if (col + 1 < at.cols && mask(row, col + 1)) level.east[cell] = weights.east(row, col);
-      if (row + 1 < at.rows && mask(row + 1, col)) level.south[cell] = weights.south(row, col);
-    }
-  });
-  for_each_index(at.rows, [&](int row) {
-    for (const int parity : {0, 1}) {
-      coarsen_kernels::invert(at.block, level.inverse.data() + at.start(row, parity),
-                              weights_around(level, row, parity));
     }
   });
   return level;

@@ -11,17 +11,6 @@
 
 namespace hada {
 
-/// A weight for every pair of neighbours: of a pixel with the one on the right, and the one below.
-/// Only pairs inside the mask are read; 0 cuts a pair apart.
-struct EdgeWeights {
-  Grid<float> east;
-  Grid<float> south;
-};
-
-/// The weights of equations between pixels that count as `weight` says, > 0: an equation takes the
-/// slope of both pixels, so its variance is the mean of theirs, 1 / weight each.
-EdgeWeights edge_weights(const Grid<float>& weight);
-
 /// One lattice of the multigrid solver: cells, the edges between them, and a linear system on them.
 ///
 /// A cell of a coarse lattice stands for a block of 2 x 2 cells that hang together. Where a block
@@ -86,9 +75,8 @@ struct PixelLevel {
     return extra + 1 < extras.size() ? extras[extra + 1].first_edge : int(edges.size());
   }
 
-  /// The finest level of a mask, all edges of weight 1, or with weights, in the memory of the mask.
+  /// The finest level of a mask, all edges of weight 1, in the memory of the mask.
   static PixelLevel of(const Mask& mask);
-  static PixelLevel of(const Mask& mask, const EdgeWeights& weights);
 };
 
 }  // namespace hada

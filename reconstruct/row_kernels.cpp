@@ -1,6 +1,5 @@
 #include "reconstruct/row_kernels.h"
 
-#include <bit>
 #include <cstring>
 
 #include "reconstruct/clones.h"
@@ -61,6 +60,35 @@ template <class Special, class General>
   for (int i = first; i < n; ++i) general(i);
 }
 
+// put(i, the value at which the equation of cell i holds).
+template <class Put>
+[[gnu::always_inline]] inline void for_relaxed(int n, const Around& value, const float* right,
+                                               const std::uint8_t* code, const Put& put) {
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
+  for_marked(
+      n, code, edge_code(4), [=](int i) { put(i, sum(i) * 0.25f); },
+      [=](int i) { put(i, sum(i) * inverse_of(code[i])); });
+}
+
+template <class Put>
+[[gnu::always_inline]] inline void for_relaxed(int n, const Around& value, const Around& weight,
+                                               const float* right, const float* inverse,
+                                               const std::uint8_t* even, const Put& put) {
+  const float *const up = value.up, *const down = value.down;
+  const float *const left = value.left, *const beyond = value.right;
+  const float *const wu = weight.up, *const wd = weight.down;
+  const float *const wl = weight.left, *const wr = weight.right;
+  for_marked(
+      n, even, 1,
+      [=](int i) { put(i, (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * 0.25f); },
+      [=](int i) {
+        const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
+        put(i, (right[i] + sum) * inverse[i]);
+      });
+}
+
 // carry[2 i], carry[2 i + 1]: of cell first + i of the even and of the odd columns.
 [[gnu::always_inline]] inline void carry_over(int count, const Corner& even, const Corner& odd,
                                               int first, float* __restrict carry) {
@@ -90,56 +118,26 @@ template <class Special, class General>
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const float* right,
                               const std::uint8_t* code) {
-  const float *const up = value.up, *const down = value.down;
-  const float *const left = value.left, *const beyond = value.right;
-  const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
-  for_marked(
-      n, code, edge_code(4), [=](int i) { x[i] = sum(i) * 0.25f; },
-      [=](int i) { x[i] = sum(i) * inverse_of(code[i]); });
+  for_relaxed(n, value, right, code, [=](int i, float relaxed) { x[i] = relaxed; });
 }
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
                               const float* right, const float* inverse, const std::uint8_t* even) {
-  const float *const up = value.up, *const down = value.down;
-  const float *const left = value.left, *const beyond = value.right;
-  const float *const wu = weight.up, *const wd = weight.down;
-  const float *const wl = weight.left, *const wr = weight.right;
-  for_marked(
-      n, even, 1,
-      [=](int i) { x[i] = (right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]))) * 0.25f; },
-      [=](int i) {
-        const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
-        x[i] = (right[i] + sum) * inverse[i];
-      });
+  for_relaxed(n, value, weight, right, inverse, even,
+              [=](int i, float relaxed) { x[i] = relaxed; });
 }
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
                                    const float* right, const std::uint8_t* code) {
-  const float *const up = value.up, *const down = value.down;
-  const float *const left = value.left, *const beyond = value.right;
-  const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
-  for_marked(
-      n, code, edge_code(4), [=](int i) { x[i] += factor * (sum(i) * 0.25f - x[i]); },
-      [=](int i) { x[i] += factor * (sum(i) * inverse_of(code[i]) - x[i]); });
+  for_relaxed(n, value, right, code,
+              [=](int i, float relaxed) { x[i] += factor * (relaxed - x[i]); });
 }
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
                                    const Around& weight, const float* right, const float* inverse,
                                    const std::uint8_t* even) {
-  const float *const up = value.up, *const down = value.down;
-  const float *const left = value.left, *const beyond = value.right;
-  const float *const wu = weight.up, *const wd = weight.down;
-  const float *const wl = weight.left, *const wr = weight.right;
-  for_marked(
-      n, even, 1,
-      [=](int i) {
-        const float sum = (up[i] + down[i]) + (left[i] + beyond[i]);
-        x[i] += factor * ((right[i] + sum) * 0.25f - x[i]);
-      },
-      [=](int i) {
-        const float sum = (wu[i] * up[i] + wd[i] * down[i]) + (wl[i] * left[i] + wr[i] * beyond[i]);
-        x[i] += factor * ((right[i] + sum) * inverse[i] - x[i]);
-      });
+  for_relaxed(n, value, weight, right, inverse, even,
+              [=](int i, float relaxed) { x[i] += factor * (relaxed - x[i]); });
 }
 
 HADA_CLONES_AVX512 void relax_from_zero(int n, float factor, float* __restrict x,
@@ -223,31 +221,6 @@ HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const floa
   }
 }
 
-HADA_CLONES_AVX512 void add_four(int n, float* __restrict sum, const float* a, const float* b,
-                                 const float* c, const float* d) {
-  for (int i = 0; i < n; ++i) sum[i] = (a[i] + b[i]) + (c[i] + d[i]);
-}
-
-HADA_CLONES_AVX512 void add(int n, const float* x, float* __restrict total) {
-  for (int i = 0; i < n; ++i) total[i] += x[i];
-}
-
-HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,
-                             float* __restrict odd) {
-  for (int i = 0; i < n; ++i) {
-    even[i] = row[2 * i];
-    odd[i] = row[2 * i + 1];
-  }
-}
-
-HADA_CLONES_AVX512 void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
-                             std::uint8_t* __restrict odd) {
-  for (int i = 0; i < n; ++i) {
-    even[i] = row[2 * i];
-    odd[i] = row[2 * i + 1];
-  }
-}
-
 HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
                                    const std::uint8_t* below, std::uint8_t* __restrict codes) {
   // Without a branch, so that many pixels are looked at together.
@@ -284,57 +257,6 @@ HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& ev
       x[2 * first + j] = alive[2 * first + j] > 0.0f ? x[2 * first + j] + carry[j] : 0.0f;
     }
   }
-}
-
-HADA_CLONES_AVX512 void gather(int n, const float* even, const float* odd, float* __restrict row) {
-  for (int i = 0; i < n; ++i) {
-    row[2 * i] = even[i];
-    row[2 * i + 1] = odd[i];
-  }
-}
-
-HADA_CLONES_AVX512 float largest(int n, const float* x) {
-  // Without their sign floats are ordered as the integers with the same bits are, and of those the
-  // compiler takes many at a time.
-  std::int32_t most = 0;
-  for (int i = 0; i < n; ++i) {
-    const std::int32_t size = std::bit_cast<std::int32_t>(x[i]) & 0x7fffffff;
-    most = size > most ? size : most;
-  }
-  return std::bit_cast<float>(most);
-}
-
-HADA_CLONES_AVX512 void round_to(int n, float magic, float* __restrict x) {
-  for (int i = 0; i < n; ++i) x[i] = (x[i] + magic) - magic;
-}
-
-HADA_CLONES_AVX512 void add_times(int n, float factor, const float* x, float* __restrict total) {
-  for (int i = 0; i < n; ++i) total[i] += factor * x[i];
-}
-
-HADA_CLONES_AVX512 double sum(int n, const float* x) {
-  // Lanes whose order of adding does not depend on the width of the vectors.
-  constexpr int lanes = 8;
-  double part[lanes] = {};
-  int i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    for (int lane = 0; lane < lanes; ++lane) part[lane] += double(x[i + lane]);
-  }
-  for (; i < n; ++i) part[i % lanes] += double(x[i]);
-  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
-}
-
-HADA_CLONES_AVX512 double dot(int n, const float* x, const float* y) {
-  constexpr int lanes = 8;
-  double part[lanes] = {};
-  int i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    for (int lane = 0; lane < lanes; ++lane) {
-      part[lane] += double(x[i + lane]) * double(y[i + lane]);
-    }
-  }
-  for (; i < n; ++i) part[i % lanes] += double(x[i]) * double(y[i]);
-  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
 }
 
 }  // namespace hada::row_kernels

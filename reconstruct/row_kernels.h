@@ -71,17 +71,6 @@ void subtract_image(int n, float* __restrict rest, const float* x, const Around&
 void subtract_image(int n, float* __restrict rest, const float* x, const Around& value,
                     const Around& weight);
 
-/// sum[i] = a[i] + b[i] + c[i] + d[i].
-void add_four(int n, float* __restrict sum, const float* a, const float* b, const float* c,
-              const float* d);
-/// total += x.
-void add(int n, const float* x, float* __restrict total);
-void add_times(int n, float factor, const float* x, float* __restrict total);
-/// even[i] = row[2 i], odd[i] = row[2 i + 1].
-void deal(int n, const float* row, float* __restrict even, float* __restrict odd);
-void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
-          std::uint8_t* __restrict odd);
-
 /// Half a row of coarse cells and what is next to them on one side, across and along.
 struct Corner {
   const float* value;
@@ -101,16 +90,5 @@ void add_carried(int n, float* __restrict x, const Corner& even, const Corner& o
                  const std::uint8_t* alive);
 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
                  const float* alive);
-
-/// row[2 i] = even[i], row[2 i + 1] = odd[i].
-void gather(int n, const float* even, const float* odd, float* __restrict row);
-
-/// The largest |x|.
-float largest(int n, const float* x);
-/// x = (x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
-void round_to(int n, float magic, float* __restrict x);
-
-double sum(int n, const float* x);
-double dot(int n, const float* x, const float* y);
 
 }  // namespace hada::row_kernels

@@ -3,26 +3,18 @@
 #include <optional>
 
 #include "core/surface.h"
+#include "reconstruct/edges.h"
 #include "reconstruct/multigrid.h"
 #include "reconstruct/regions.h"
 #include "reconstruct/slopes.h"
+#include "reconstruct/weighted_solver.h"
 
 namespace hada {
 
-/// How much the height rises from a pixel to its neighbour on the right, and to the one below, in
-/// px.
-struct EdgeRises {
-  Grid<float> east;
-  Grid<float> south;
-};
-
-/// The mean slope of both pixels of every pair: exact where the surface is quadratic.
-EdgeRises rises_of(const SlopeMap& slopes, const Mask& mask);
-
 /// Least-squares heights over one mask, for as many slope maps as one likes.
 ///
-/// The normal equations are never stored: their matrix is the Laplacian of the pixel graph, and
-/// `Multigrid` solves it cell by cell.
+/// The matrix of the normal equations is the Laplacian of the pixel graph. `Multigrid` solves it
+/// cell by cell and never stores it; `WeightedSolver` does where edges have weights.
 class SlopeSolver {
  public:
   /// With weights, every equation of two neighbours counts with its own, > 0.
@@ -45,12 +37,12 @@ class SlopeSolver {
 
  private:
   void set_right(const SlopeMap& slopes);
-  void set_weighted_right(const EdgeRises& rises, const Grid<double>& height);
   Grid<float> levelled(const Cells& value) const;
+  Grid<float> levelled(const Grid<double>& value) const;
 
   const Mask& mask_;
-  std::optional<EdgeWeights> weights_;
-  Multigrid multigrid_;
+  std::optional<Multigrid> multigrid_;
+  std::optional<WeightedSolver> weighted_;
   Regions regions_;
   int cycles_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "reconstruct/level_rows.h"
+#include "reconstruct/row_arithmetic.h"
 
 namespace hada {
 namespace {
@@ -114,23 +115,22 @@ void residual(const System& s, int row, int colour, float* out) {
   }
 }
 
-// sum[j]: of block j in coarse row `row`.
-void put_coarse_row(const PixelLevel& level, const float* sum, int row, PixelLevel& coarse) {
-  row_kernels::deal(level.at.block / 2, sum, coarse.right.data() + coarse.at.start(row, 0),
-                    coarse.right.data() + coarse.at.start(row, 1));
-}
-
 void restrict_red(const System& s, int row, PixelLevel& coarse) {
   // Two rows make one row of blocks; the second of them comes with both.
   const PixelLevel& level = s.level;
   const bool last = row + 1 == level.at.rows;
   if (row % 2 == 0 && !last) return;
   const auto block = std::size_t(level.at.block);
-  std::vector<float> sum(2 * block, 0.0f);
-  float* const upper = sum.data();
+  thread_local std::vector<float> rows;  // here for their memory alone
+  rows.resize(std::max(rows.size(), 2 * block));
+  float* const upper = rows.data();
   float* const lower = upper + block;
   residual(s, row / 2 * 2, red, upper);
-  if (row % 2 == 1) residual(s, row, red, lower);
+  if (row % 2 == 1) {
+    residual(s, row, red, lower);
+  } else {
+    std::fill_n(lower, block, 0.0f);
+  }
   std::vector<std::pair<PixelLevel::Moved, float>> moved;
   for (int r = row / 2 * 2; r <= row; ++r) {
     float* const of_row = r % 2 == 0 ? upper : lower;
@@ -140,8 +140,9 @@ void restrict_red(const System& s, int row, PixelLevel& coarse) {
       of_row[place] = 0.0f;
     });
   }
-  for (std::size_t j = 0; j < block; ++j) upper[j] += lower[j];
-  put_coarse_row(level, upper, row / 2, coarse);
+  row_kernels::add_and_deal(level.at.block / 2, upper, lower,
+                            coarse.right.data() + coarse.at.start(row / 2, 0),
+                            coarse.right.data() + coarse.at.start(row / 2, 1));
   for (const auto& [m, rest] : moved) coarse.right[std::size_t(m.parent)] += rest;
 }
 
@@ -212,7 +213,8 @@ void restrict_right(const PixelLevel& level, PixelLevel& coarse) {
       row_kernels::add_four(at.block, sum.data(), right + at.start(2 * row, 0),
                             right + at.start(2 * row, 1), right + at.start(below, 0),
                             right + at.start(below, 1));
-      put_coarse_row(level, sum.data(), row, coarse);
+      row_kernels::deal(at.block / 2, sum.data(), coarse.right.data() + coarse.at.start(row, 0),
+                        coarse.right.data() + coarse.at.start(row, 1));
     }
   });
   std::fill(coarse.right.begin() + std::ptrdiff_t(coarse.at.size()), coarse.right.end(), 0.0f);

@@ -33,6 +33,27 @@ TEST(EndGrain, FindsPithAndRingsOfAMadeStem) {
   EXPECT_EQ(grain.seen_share.size(), grain.shape.radii.size());
 }
 
+TEST(EndGrain, IsReadBetweenVessels) {
+  // As many vessels as take a tenth of the wood, 5 px in radius, in rings of 40 to 80 px.
+  auto wood = stem();
+  for (double& radius : wood.ring_radii_mm) radius *= 0.25;
+  wood.pith_mm = {-1.5, 0.4};
+  wood.fibre_shift = 0.15;
+  wood.vessel_density_per_mm2 = 13.0;
+  wood.vessel_radius_mm = 0.05;
+  wood.vessel_radius_sd_mm = 0.004;
+  const auto grain = end_grain(synthesize(wood, {400, 400, 0.01, Unit::mm}, 5));
+  EXPECT_LT((grain.shape.frame.pith - Eigen::Vector2d(-1.5, 0.4)).norm(), 0.0035);
+  // Every ring that is found is one, but for those that only corners show.
+  for (const double found : grain.shape.radii) {
+    if (found > 2.5) continue;
+    double nearest = HUGE_VAL;
+    for (const double truth : wood.ring_radii_mm)
+      nearest = std::min(nearest, std::abs(found - truth));
+    EXPECT_LT(nearest, 0.01) << found;
+  }
+}
+
 TEST(EndGrain, NeedsAnAlbedoWithRings) {
   Surface plain;
   plain.extent = {128, 128, 0.1, Unit::mm};

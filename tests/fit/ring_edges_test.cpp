@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,14 @@ TEST(RingEdges, AreFaintBesideThoseNearbyOnly) {
   EXPECT_GE(inside, 7);
 }
 
+/// As many sectors as edges are given for, a whole turn together.
+Unrolled turn_of(std::size_t sectors) {
+  Unrolled flat;
+  flat.values = Grid<float>(int(sectors), 1, 0.0f);
+  flat.sector_rad = 2.0 * std::numbers::pi / double(sectors);
+  return flat;
+}
+
 TEST(RingChains, FollowAnEdgeFromSectorToSector) {
   std::vector<std::vector<RingEdge>> edges;
   for (int s = 0; s < 20; ++s) {
@@ -73,10 +82,27 @@ TEST(RingChains, FollowAnEdgeFromSectorToSector) {
     if (s == 7) edges.back().erase(edges.back().begin() + 1);  // one sector without
     if (s < 3) edges.back().push_back({s, 120.0, 1.0});        // too short to be kept
   }
-  const auto chains = ring_chains(edges, 1.0);
+  const auto chains = ring_chains(edges, turn_of(edges.size()), 1.0);
   ASSERT_EQ(chains.size(), 2u);
   EXPECT_EQ(chains[0].size(), 20u);
   EXPECT_EQ(chains[1].size(), 19u);
+}
+
+TEST(RingChains, AreNotMadeOfOneViewSeenTwice) {
+  // Forty sectors go around a ring of 12 px in 75 px: those of 16 px share what they see with one
+  // neighbour on each side at least, so that the same noise goes on from one to the next.
+  std::vector<std::vector<RingEdge>> edges(40);
+  for (int s = 0; s < 40; ++s) {
+    if (s < 11) edges[std::size_t(s)].push_back({s, 12.0, 1.0});
+    if (s < 11) edges[std::size_t(s)].push_back({s, 200.0, 1.0});
+  }
+  auto flat = turn_of(edges.size());
+  flat.joined = 16.0;
+  ASSERT_GE(flat.joined_at(12.0), 1);
+  ASSERT_EQ(flat.joined_at(200.0), 0);
+  const auto chains = ring_chains(edges, flat, 1.0);
+  ASSERT_EQ(chains.size(), 1u);
+  EXPECT_EQ(chains[0].front().rho, 200.0);
 }
 
 }  // namespace

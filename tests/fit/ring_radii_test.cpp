@@ -1,9 +1,12 @@
 #include "fit/ring_radii.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "core/random.h"
 
 namespace hada {
 namespace {
@@ -51,7 +54,7 @@ TEST(WanderingRings, AreFoundWhereAllSectorsTogetherSeeNothing) {
   });
   const auto edges = ring_edges(flat, 1.0);
   const auto radii = ring_radii(flat, 1.0);
-  const auto chains = ring_chains(edges, 1.0);
+  const auto chains = ring_chains(edges, flat, 1.0);
   std::vector<RingChain> still;
   for (const double radius : {30.0, 90.0, 120.0}) {
     for (auto& ring : edges_of_rings({radius}, edges, flat, 3.0, 1.0))
@@ -78,7 +81,26 @@ TEST(WanderingRings, AreNotMadeOfShortPieces) {
     for (auto& ring : edges_of_rings({radius}, edges, flat, 3.0, 1.0))
       still.push_back(std::move(ring));
   }
-  EXPECT_TRUE(wandering_rings(still, ring_chains(edges, 1.0), flat, 3.0, 1.0).empty());
+  EXPECT_TRUE(wandering_rings(still, ring_chains(edges, flat, 1.0), flat, 3.0, 1.0).empty());
+}
+
+TEST(StandsOut, WhatSectorsAgreeOnAndNoNoise) {
+  auto flat = stem(3, [](int k, double theta) {
+    return 30.0 * (k + 1) + (k == 1 ? 4.0 * std::sin(2.0 * theta) : 0.0);
+  });
+  for (int s = 0; s < sectors; ++s) {
+    for (int col = 0; col < 400; ++col) flat.values(s, col) += float(0.15 * gaussian(11, s, col));
+  }
+  RingChain ring, noise;
+  for (int s = 0; s < sectors; ++s) {
+    ring.push_back({s, 60.0 + 4.0 * std::sin(2.0 * flat.theta[std::size_t(s)]), 1.0});
+    // The steepest place of each sector within 3 px of where nothing is.
+    const auto slopes = slopes_along(flat.values.row(s), 0.5, 1.0);
+    const auto steepest = std::max_element(slopes.begin() + 264, slopes.begin() + 276);
+    noise.push_back({s, flat.rho(double(steepest - slopes.begin())), 1.0});
+  }
+  EXPECT_TRUE(stands_out(ring, flat, 1.0));
+  EXPECT_FALSE(stands_out(noise, flat, 1.0));
 }
 
 TEST(RadiusOf, IsTheMiddleOne) {

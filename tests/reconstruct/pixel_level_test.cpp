@@ -22,21 +22,5 @@ TEST(PixelLevel, CountsTheEdgesOfEveryPixel) {
   EXPECT_EQ(code(2, 2), row_kernels::edge_code(2));
 }
 
-TEST(PixelLevel, TakesWeightsInsideTheMaskOnly) {
-  Mask mask(1, 3, 1);
-  mask(0, 2) = 0;
-  const PixelLevel level = PixelLevel::of(mask, {Grid<float>(1, 3, 4.0f), Grid<float>(1, 3, 4.0f)});
-  EXPECT_EQ(level.east[std::size_t(level.at.cell(0, 0))], 4.0f);
-  EXPECT_EQ(level.east[std::size_t(level.at.cell(0, 1))], 0.0f);
-  EXPECT_EQ(level.inverse[std::size_t(level.at.cell(0, 1))], 0.25f);
-}
-
-TEST(EdgeWeights, AreOneOverTheMeanVarianceOfBothPixels) {
-  Grid<float> weight(1, 2);
-  weight(0, 0) = 1.0f;
-  weight(0, 1) = 0.25f;
-  EXPECT_EQ(edge_weights(weight).east(0, 0), 0.4f);  // 1 / mean(1, 4)
-}
-
 }  // namespace
 }  // namespace hada

@@ -96,34 +96,6 @@ TEST(RowKernels, AgreeOnResidualsWithAndWithoutWeights) {
   EXPECT_EQ(plain, subtracted);
 }
 
-TEST(RowKernels, RoundToMultiples) {
-  std::vector<float> x{0.3f, -0.3f, 0.124f, 0.126f};
-  row_kernels::round_to(4, 3.0f * 0x1p22f * 0.25f, x.data());
-  EXPECT_EQ(x, (std::vector<float>{0.25f, -0.25f, 0.0f, 0.25f}));
-}
-
-TEST(RowKernels, DealAndGatherAreInverse) {
-  std::vector<float> row(34);
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] = float(i);
-  std::vector<float> even(17), odd(17), again(34);
-  row_kernels::deal(17, row.data(), even.data(), odd.data());
-  EXPECT_EQ(even[3], 6.0f);
-  EXPECT_EQ(odd[3], 7.0f);
-  row_kernels::gather(17, even.data(), odd.data(), again.data());
-  EXPECT_EQ(again, row);
-  EXPECT_EQ(row_kernels::sum(34, row.data()), 33.0 * 34.0 / 2.0);
-  EXPECT_EQ(row_kernels::dot(17, even.data(), even.data()), 4.0 * 16.0 * 17.0 * 33.0 / 6.0);
-}
-
-TEST(RowKernels, FindTheLargestOfEitherSign) {
-  std::vector<float> x(37, 0.25f);
-  EXPECT_EQ(row_kernels::largest(37, x.data()), 0.25f);
-  x[20] = -3.5f;
-  x[36] = 2.0f;
-  EXPECT_EQ(row_kernels::largest(37, x.data()), 3.5f);
-  EXPECT_EQ(row_kernels::largest(0, x.data()), 0.0f);
-}
-
 TEST(RowKernels, CountTheEdgesOfEveryPixelOfAMask) {
   // Any value but 0 is inside; the place before and after a row are outside here.
   const std::vector<std::uint8_t> above = {0, 1, 1, 0, 0};

@@ -156,8 +156,9 @@ TEST(SlopeSolver, IsExactWithWeightsThatDifferByAMillion) {
       }
     }
     SlopeSolver solver(mask, edge_weights(weight));
-    EXPECT_LT(error_of(solver.height(made.slopes, 1e-5, 100), made.height, mask), 3e-5) << kind;
-    EXPECT_LE(solver.cycles(), 40) << kind;
+    EXPECT_LT(error_of(solver.height(made.slopes, 1e-5, 100), made.height, mask), 2e-5) << kind;
+    // A rate of 0.1 a cycle, from a height of 30 px: 7 cycles.
+    EXPECT_LE(solver.cycles(), 7) << kind;
   }
 }
 

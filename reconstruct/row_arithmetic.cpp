@@ -1,0 +1,97 @@
+#include "reconstruct/row_arithmetic.h"
+
+#include <bit>
+
+#include "reconstruct/clones.h"
+
+namespace hada::row_kernels {
+
+HADA_CLONES_AVX512 void add_four(int n, float* __restrict sum, const float* a, const float* b,
+                                 const float* c, const float* d) {
+  for (int i = 0; i < n; ++i) sum[i] = (a[i] + b[i]) + (c[i] + d[i]);
+}
+
+HADA_CLONES_AVX512 void add(int n, const float* x, float* __restrict total) {
+  for (int i = 0; i < n; ++i) total[i] += x[i];
+}
+
+HADA_CLONES_AVX512 void subtract(int n, float off, const float* x, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = x[i] - off;
+}
+
+HADA_CLONES_AVX512 void add_and_deal(int n, const float* a, const float* b, float* __restrict even,
+                                     float* __restrict odd) {
+  for (int i = 0; i < n; ++i) {
+    even[i] = a[2 * i] + b[2 * i];
+    odd[i] = a[2 * i + 1] + b[2 * i + 1];
+  }
+}
+
+HADA_CLONES_AVX512 void add_times(int n, float factor, const float* x, float* __restrict total) {
+  for (int i = 0; i < n; ++i) total[i] += factor * x[i];
+}
+
+HADA_CLONES_AVX512 void round_to(int n, float magic, float* __restrict x) {
+  for (int i = 0; i < n; ++i) x[i] = (x[i] + magic) - magic;
+}
+
+HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,
+                             float* __restrict odd) {
+  for (int i = 0; i < n; ++i) {
+    even[i] = row[2 * i];
+    odd[i] = row[2 * i + 1];
+  }
+}
+
+HADA_CLONES_AVX512 void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
+                             std::uint8_t* __restrict odd) {
+  for (int i = 0; i < n; ++i) {
+    even[i] = row[2 * i];
+    odd[i] = row[2 * i + 1];
+  }
+}
+
+HADA_CLONES_AVX512 void gather(int n, const float* even, const float* odd, float* __restrict row) {
+  for (int i = 0; i < n; ++i) {
+    row[2 * i] = even[i];
+    row[2 * i + 1] = odd[i];
+  }
+}
+
+HADA_CLONES_AVX512 float largest(int n, const float* x) {
+  // Without their sign floats are ordered as the integers with the same bits are, and of those the
+  // compiler takes many at a time.
+  std::int32_t most = 0;
+  for (int i = 0; i < n; ++i) {
+    const std::int32_t size = std::bit_cast<std::int32_t>(x[i]) & 0x7fffffff;
+    most = size > most ? size : most;
+  }
+  return std::bit_cast<float>(most);
+}
+
+HADA_CLONES_AVX512 double sum(int n, const float* x) {
+  // Lanes whose order of adding does not depend on the width of the vectors.
+  constexpr int lanes = 8;
+  double part[lanes] = {};
+  int i = 0;
+  for (; i + lanes <= n; i += lanes) {
+    for (int lane = 0; lane < lanes; ++lane) part[lane] += double(x[i + lane]);
+  }
+  for (; i < n; ++i) part[i % lanes] += double(x[i]);
+  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
+
+HADA_CLONES_AVX512 double dot(int n, const float* x, const float* y) {
+  constexpr int lanes = 8;
+  double part[lanes] = {};
+  int i = 0;
+  for (; i + lanes <= n; i += lanes) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      part[lane] += double(x[i + lane]) * double(y[i + lane]);
+    }
+  }
+  for (; i < n; ++i) part[i % lanes] += double(x[i]) * double(y[i]);
+  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
+
+}  // namespace hada::row_kernels

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+/// What the rows of the multigrid solver need beside its equations: sums, copies in another order,
+/// largest values. Compiled for several instruction sets, all of which give the same bytes.
+namespace hada::row_kernels {
+
+/// sum[i] = a[i] + b[i] + c[i] + d[i].
+void add_four(int n, float* __restrict sum, const float* a, const float* b, const float* c,
+              const float* d);
+/// even[i] = a[2 i] + b[2 i], odd[i] = a[2 i + 1] + b[2 i + 1].
+void add_and_deal(int n, const float* a, const float* b, float* __restrict even,
+                  float* __restrict odd);
+/// total += x.
+void add(int n, const float* x, float* __restrict total);
+void add_times(int n, float factor, const float* x, float* __restrict total);
+/// out = x - off.
+void subtract(int n, float off, const float* x, float* __restrict out);
+/// even[i] = row[2 i], odd[i] = row[2 i + 1].
+void deal(int n, const float* row, float* __restrict even, float* __restrict odd);
+void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
+          std::uint8_t* __restrict odd);
+
+/// row[2 i] = even[i], row[2 i + 1] = odd[i].
+void gather(int n, const float* even, const float* odd, float* __restrict row);
+
+/// The largest |x|.
+float largest(int n, const float* x);
+/// x = (x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
+void round_to(int n, float magic, float* __restrict x);
+
+double sum(int n, const float* x);
+double dot(int n, const float* x, const float* y);
+
+}  // namespace hada::row_kernels
