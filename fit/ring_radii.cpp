@@ -125,6 +125,8 @@ std::vector<RingChain> wandering_rings(const std::vector<RingChain>& rings,
 bool stands_out(RingChain ring, const Unrolled& flat, double pitch) {
   std::stable_sort(ring.begin(), ring.end(),
                    [](const RingEdge& a, const RingEdge& b) { return a.sector < b.sector; });
+  const double step_px = flat.step / pitch;
+  const auto reach = std::ptrdiff_t(std::ceil(4.0 * blur_px / step_px));  // of what a slope sees
   double count = 0.0, sum = 0.0, squares = 0.0;
   for (int s = 0; s < flat.values.rows(); ++s) {
     std::vector<double> beside;
@@ -135,12 +137,16 @@ bool stands_out(RingChain ring, const Unrolled& flat, double pitch) {
         beside.push_back(edge.rho);
     }
     if (beside.empty()) continue;
-    const auto col = std::size_t(std::lround((median(std::move(beside)) - flat.first) / flat.step));
-    const auto slopes = slopes_along(flat.values.row(s), flat.step / pitch, blur_px);
-    if (col >= slopes.size() || !std::isfinite(slopes[col])) continue;
+    const auto col =
+        std::ptrdiff_t(std::lround((median(std::move(beside)) - flat.first) / flat.step));
+    const auto row = flat.values.row(s);
+    if (col < reach || col + reach >= std::ptrdiff_t(row.size())) continue;
+    const auto near = row.subspan(std::size_t(col - reach), std::size_t(2 * reach + 1));
+    const double slope = slopes_along(near, step_px, blur_px)[std::size_t(reach)];
+    if (!std::isfinite(slope)) continue;
     count += 1.0;
-    sum += slopes[col];
-    squares += slopes[col] * slopes[col];
+    sum += slope;
+    squares += slope * slope;
   }
   if (count < fewest_beside) return true;
   const double mean = sum / count;
