@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "mechanics/knit_newton.h"
 #include "mechanics/knit_rest.h"
 
@@ -13,6 +15,44 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double exactness = 1e-9;  // of derivatives
 constexpr double nowhere = 1e3;     // a residual where the knit does not come to rest, in wales
+
+/// The crossings as they were seen, in the frame that the clamped ones tell, where `knit` starts: a
+/// wide knit has several rests, and theirs is the one that counts. Those that were not seen start
+/// where `knit` does, and so do all if the clamps are not seen where they should be.
+Places seen_from_clamps(const PulledKnit& knit, const Places& seen, double wale_length) {
+  constexpr double most_off = 0.3;  // of a wale
+  // start = (a, -b; b, a) seen + (x, y)
+  Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  const auto rows = [&](std::size_t i) {
+    Eigen::Matrix<double, 2, 4> r;
+    r << seen[i].x(), -seen[i].y(), 1.0, 0.0, seen[i].y(), seen[i].x(), 0.0, 1.0;
+    return r;
+  };
+  const auto is_known = [&](std::size_t i) {
+    return knit.net.is_pinned(int(i)) && seen[i].allFinite();
+  };
+  int known = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!is_known(i)) continue;
+    gram += rows(i).transpose() * rows(i);
+    right += rows(i).transpose() * knit.start[i].head<2>();
+    ++known;
+  }
+  if (known < 3) return knit.start;
+  const Eigen::Vector4d frame = gram.ldlt().solve(right);
+  double off = 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (is_known(i)) off += (rows(i) * frame - knit.start[i].head<2>()).squaredNorm() / known;
+  }
+  if (!(std::sqrt(off) < most_off * wale_length)) return knit.start;
+  Places places = knit.start;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (knit.net.is_pinned(int(i)) || !seen[i].allFinite()) continue;
+    places[i].head<2>() = rows(i) * frame;
+  }
+  return places;
+}
 
 }  // namespace
 
@@ -27,8 +67,9 @@ PulledModel::PulledModel(const KnitNet& net, const std::vector<int>& repeat, Kni
   for (std::size_t s = 0; s < states.size(); ++s) {
     const auto knit = pulled(rest_, states[s].pull, clamp, states[s].stretch);
     pins_.push_back(knit.net.pinned);
-    last_.push_back(knit.start);
     start_.push_back(knit.start);
+    last_.push_back(knit.start);
+    seen_.push_back(seen_from_clamps(knit, states[s].places, net.wale_length));
     for (std::size_t i = 0; i < knit.start.size(); ++i) residuals_ += counts(s, i) ? 2 : 0;
   }
 }
@@ -53,9 +94,10 @@ PulledModel::Frame PulledModel::frame(const double* p, std::size_t state) const 
   return {f[0], f[1], f[2], f[3]};
 }
 
-// The places at rest; they are sought from where they were last, then from an even stretch.
+// The places at rest; they are sought from where they were seen, from where they were last, then
+// from an even stretch.
 const Places* PulledModel::at_rest(const KnitNet& net, std::size_t state) {
-  for (const Places* start : {&last_[state], &start_[state]}) {
+  for (const Places* start : {&seen_[state], &last_[state], &start_[state]}) {
     KnitAtRest rest = knit_at_rest(net, *start, {.tolerance = 1e-8});
     if (!rest.settled) continue;
     last_[state] = std::move(rest.places);

@@ -65,7 +65,7 @@ class PulledModel {
   bool framed_;
   int residuals_ = 0;
   std::vector<std::vector<bool>> pins_;
-  std::vector<Places> start_, last_;
+  std::vector<Places> start_, seen_, last_;
 };
 
 }  // namespace hada

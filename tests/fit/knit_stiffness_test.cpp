@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "mechanics/knit_motion.h"
+#include "mechanics/knit_rest.h"
 
 namespace hada {
 namespace {
@@ -148,6 +149,26 @@ TEST(KnitStiffness, IsFoundWhereverThePictureWasTakenFrom) {
   EXPECT_NEAR(found.continuity.value, 0.2, 4.0 * found.continuity.sigma);
   EXPECT_NEAR(found.noise_mm, 1.03 * 0.02, 0.15 * 0.02);
   EXPECT_LT(found.log_ratio_sigma, 0.02);  // as with known frames: those that are held tell them
+}
+
+TEST(KnitStiffness, FollowsTheRestThatWasSeenWhereThereAreSeveral) {
+  KnitNet net = patch();
+  net.courses = net.wales = 20;
+  net.stiffness = stiffness_of_courses(20, 16.0);
+  const auto knit = pulled(net, KnitPull::wale, KnitClamp::three_points, 1.5);
+  Places places = knit_motion(knit.net, knit.start, {.still = 1e-9}).places;
+  const Places even = knit_at_rest(knit.net, knit.start).places;
+  double apart = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    apart = std::max(apart, (places[i] - even[i]).norm());
+    for (int axis = 0; axis < 2; ++axis) places[i][axis] += 0.02 * gaussian(8, int(i), axis);
+  }
+  ASSERT_GT(apart, 0.2);  // motion and Newton's method end in different rests
+  const auto found = knit_stiffness(net, {0, 1}, KnitClamp::three_points,
+                                    {{KnitPull::wale, 1.5, places}}, {.frame_known = false});
+  EXPECT_NEAR(found.noise_mm, 0.02, 0.002);  // of 800 numbers: known to 2.5 %
+  EXPECT_NEAR(std::log(found.ratio.value / 16.0), 0.0, 4.0 * found.log_ratio_sigma);
+  EXPECT_NEAR(found.continuity.value, 0.2, 4.0 * found.continuity.sigma);
 }
 
 TEST(KnitStiffness, RefusesWhatHoldsNoAnswer) {
