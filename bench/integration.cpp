@@ -1,6 +1,7 @@
 // hada_bench_integration [largest size]: integration side by side with solvers that others wrote,
 // those whose libraries were found. Times are of the processor, on one thread, and of this run
 // alone.
+// hada_bench_integration sigma size: at how many pixels the sigma of the height is right.
 // hada_bench_integration disk size folder: one integration with all maps in files in the folder.
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +27,10 @@ void print(const hada::SolverRun& run, const hada::SolverRun& ours, double pass)
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string(argv[1]) == "sigma") {
+    std::printf("%.1f %% of the pixels\n", 100.0 * hada::share_of_good_sigmas(std::atoi(argv[2])));
+    return 0;
+  }
   if (argc > 3 && std::string(argv[1]) == "disk") {
     const double pass = hada::one_pass_seconds(4096);
     const auto run = hada::run_on_disk(hada::MaskKind::irregular, std::atoi(argv[2]), argv[3]);

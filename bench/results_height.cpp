@@ -106,12 +106,23 @@ std::string cycles() {
   return page;
 }
 
+std::string sigmas() {
+  std::string page;
+  for (const int size : {400, 800}) {  // with all pixels, and on a coarser lattice
+    say(fmt::format("height: sigma, {} x {}", size, size));
+    const double share = share_of_good_sigmas(size);
+    page += figure(fmt::format("sigma of the height within 15 % of 200 draws, {} x {}", size, size),
+                   ">= 90 % of the pixels", fmt::format("{:.1f} %", 100.0 * share), share >= 0.9);
+  }
+  return page;
+}
+
 }  // namespace
 
 std::string height_results() {
   return table("Normals to height: processor time on one thread, setup included",
                "| figure | must be | measured | |") +
-         irregular_masks() + rectangles() + cycles() +
+         irregular_masks() + rectangles() + cycles() + sigmas() +
          "\nA pass reads an array of floats of that size once. Times are medians.\n";
 }
 
