@@ -11,6 +11,7 @@
 #include "mechanics/knit_motion.h"
 #include "mechanics/knit_rest.h"
 #include "mechanics/taut_yarn.h"
+#include "mechanics/wear_stocking.h"
 #include "synth/leg.h"
 
 namespace hada {
@@ -85,17 +86,30 @@ double seconds_to_rest(int count) {
   return slower;
 }
 
-WearStudy study_wear(int count) {
-  const Body body(leg_mesh());
+namespace {
+
+template <class Wear>
+WearStudy study_wearing(const LegShape& leg, int count, const Wear& wear) {
+  const Body body(leg_mesh(leg));
   WearStudy study;
   const auto start = Clock::now();
-  const auto knit = worn(body, {.courses = count, .wales = count});
+  const WornKnit knit = wear(body, {.courses = count, .wales = count});
   const auto yarns = taut_yarns(body, knit);
   study.seconds = seconds_since(start);
   study.steps = knit.steps, study.settled = knit.settled;
   study.cut = penetrating(body, knit, straight_lines(knit), 1e-6);
   study.penetrating = penetrating(body, knit, yarns.lines, 1e-6);
   return study;
+}
+
+}  // namespace
+
+WearStudy study_wear(int count) {
+  return study_wearing({}, count, worn);
+}
+
+WearStudy study_stocking(int count) {
+  return study_wearing({.foot_mm = 230.0}, count, worn_stocking);
 }
 
 StiffnessStudy study_stiffness(int seeds) {

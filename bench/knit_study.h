@@ -28,6 +28,8 @@ struct WearStudy {
 };
 /// A tube of `count` x `count` stitches on the shipped leg.
 WearStudy study_wear(int count);
+/// The same of a stocking with heel and toe, on a leg that has a foot.
+WearStudy study_stocking(int count);
 
 /// 16 x 16, three-point clamps along the wales, stretches 1.2 and 1.5, ratio 10, c 0.2, 2 % noise.
 struct StiffnessStudy {

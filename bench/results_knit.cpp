@@ -29,10 +29,15 @@ std::string rest_rows() {
 
 std::string worn_rows() {
   const auto s = study_wear(300);
+  const auto stocking = study_stocking(150);
   return row({"300 x 300 on the leg: drawn, slid and repaired, s", "30 (goal 5)",
               fmt::format("{:.1f}", s.seconds), verdict(s.settled && s.seconds <= 30.0)}) +
          row({fmt::format("yarns inside the leg after the repair ({} before)", s.cut), "0",
-              fmt::format("{}", s.penetrating), verdict(s.penetrating == 0)});
+              fmt::format("{}", s.penetrating), verdict(s.penetrating == 0)}) +
+         row({"a stocking of 150 x 150 with heel and toe: drawn, slid and repaired, s", "at rest",
+              fmt::format("{:.1f}", stocking.seconds), verdict(stocking.settled)}) +
+         row({fmt::format("its yarns inside leg and foot ({} before)", stocking.cut), "0",
+              fmt::format("{}", stocking.penetrating), verdict(stocking.penetrating == 0)});
 }
 
 std::string stiffness_rows() {
