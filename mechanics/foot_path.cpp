@@ -94,10 +94,6 @@ void FootPath::measure() {
   for (int k = 0; k < 4; ++k) {
     toe_mm_ += 0.25 * length_of([&](double share) { return toe(share, right_angle * k).place; });
   }
-  for (int k = 0; k < pieces; ++k) {
-    across_mm_ +=
-        (place(heel((k + 0.5) / pieces), 2.0 * right_angle).place - pivot_).norm() / pieces;
-  }
 }
 
 MeshPlace FootPath::leaves(const Vector3d& from, const Vector3d& way) const {

@@ -36,9 +36,8 @@ class FootPath {
   double leg_mm() const { return top_ - ankle_; }
   double heel_mm() const { return heel_mm_; }  // around it, at the back
   double foot_mm() const { return toes_from_ - foot_from_; }
-  double toe_mm() const { return toe_mm_; }        // from the end of the foot to the tip
-  double girth_mm() const { return girth_mm_; }    // of the ankle
-  double across_mm() const { return across_mm_; }  // from the pivot to the back of the heel, mean
+  double toe_mm() const { return toe_mm_; }      // from the end of the foot to the tip
+  double girth_mm() const { return girth_mm_; }  // of the ankle
 
  private:
   MeshPlace leaves(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const;
@@ -51,7 +50,7 @@ class FootPath {
   int axis_;
   double top_ = 0.0, ankle_ = 0.0;            // heights
   double foot_from_ = 0.0, toes_from_ = 0.0;  // along `forward_`
-  double heel_mm_ = 0.0, toe_mm_ = 0.0, girth_mm_ = 0.0, across_mm_ = 0.0, reach_ = 0.0;
+  double heel_mm_ = 0.0, toe_mm_ = 0.0, girth_mm_ = 0.0, reach_ = 0.0;
   Eigen::Vector3d up_, forward_, side_, pivot_;
   std::vector<Eigen::Vector3d> middles_;  // along the foot, evenly
 };

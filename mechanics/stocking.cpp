@@ -130,8 +130,4 @@ ShellNet stocking_net(const StockingShape& shape) {
   return knitting.closed();
 }
 
-double heel_turn(const StockingShape& shape, double row_mm, double across_mm) {
-  return (shape.heel + 1) * row_mm / across_mm;
-}
-
 }  // namespace hada

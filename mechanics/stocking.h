@@ -30,8 +30,4 @@ struct StockingShape {
 ///         even number of heel rows
 ShellNet stocking_net(const StockingShape& shape);
 
-/// Through which angle the short rows turn the leg into the foot, in radians, when rows are
-/// `row_mm` apart at the back and lie around a pivot in front of it at a distance of `across_mm`.
-double heel_turn(const StockingShape& shape, double row_mm, double across_mm);
-
 }  // namespace hada
