@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "mechanics/gmres.h"
+#include "mechanics/newton_way.h"
 
 namespace hada {
 namespace {
@@ -60,15 +60,8 @@ Places KnitNewton::step(const KnitNet& net, const KnitSprings& springs, const Kn
                         const Places& load, double tolerance, double drag) {
   if (!fresh_ || drag != drag_) factorize(net, springs, frames, drag);
   drag_ = drag;
-  const auto apply = [&](const VectorXd& x) -> VectorXd {
-    const Places way = in_space(frames, net.pinned, x);
-    Places change = force_changes(net, springs, way);
-    for (std::size_t i = 0; i < frames.turning.size(); ++i) change[i] += frames.turning[i] * way[i];
-    return within(frames, net.pinned, change) - drag * x;
-  };
-  const auto solved = gmres(
-      apply, [&](const VectorXd& x) -> VectorXd { return -factors_.solve(x); },
-      within(frames, net.pinned, load), tolerance);
+  const auto solved = newton_way(net, springs, frames, load, tolerance, drag,
+                                 [&](const VectorXd& x) -> VectorXd { return factors_.solve(x); });
   fresh_ = solved.directions <= worth_factors;
   return in_space(frames, net.pinned, solved.x);
 }

@@ -4,7 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "mechanics/gmres.h"
+#include "mechanics/newton_way.h"
 
 namespace hada {
 namespace {
@@ -70,15 +70,8 @@ Places ShellNewton::step(const ShellNet& net, const ShellSprings& springs, const
     f.ldlt.compute(matrix);
     f.drag = drag;
   }
-  const auto apply = [&](const VectorXd& x) -> VectorXd {
-    const Places way = in_space(frames, net.pinned, x);
-    Places change = force_changes(net, springs, way);
-    for (std::size_t i = 0; i < frames.turning.size(); ++i) change[i] += frames.turning[i] * way[i];
-    return within(frames, net.pinned, change) - drag * x;
-  };
-  const auto solved = gmres(
-      apply, [&](const VectorXd& x) -> VectorXd { return -f.ldlt.solve(x); },
-      within(frames, net.pinned, load), tolerance);
+  const auto solved = newton_way(net, springs, frames, load, tolerance, drag,
+                                 [&](const VectorXd& x) -> VectorXd { return f.ldlt.solve(x); });
   f.fresh = solved.directions <= worth_factors;
   return in_space(frames, net.pinned, solved.x);
 }
