@@ -161,6 +161,20 @@ TEST(Architecture, BuildsEveryTest) {
   EXPECT_GT(files, 200u);
 }
 
+TEST(Architecture, SaysWhatLiesInTheRooms) {
+  const fs::path root = HADA_SOURCE_DIR;
+  const std::string page = text_of(root / "docs" / "architecture.md");
+  for (const auto& [room, allowed] : rooms_for) {
+    if (room == "app") continue;  // there, folders are named
+    for (const fs::path& path : sources_of(root / room)) {
+      if (!is_header(path.string())) continue;
+      const std::string name = path.stem().string();
+      EXPECT_TRUE(std::regex_search(page, std::regex("\\b" + name + "\\b")))
+          << room << "/" << name << " is not on the page";
+    }
+  }
+}
+
 TEST(Architecture, SeesArrowsThatTurnBack) {
   EXPECT_EQ(forbidden_includes("core/a.h", "#include \"synth/wood.h\"\n").size(), 1u);
   EXPECT_EQ(forbidden_includes("reconstruct/a.cpp", "  # include \"synth/wood.h\"").size(), 1u);
