@@ -45,7 +45,8 @@ void add_pull(Commands& commands, CLI::App& knit) {
 
 void add_wear(Commands& commands, CLI::App& knit) {
   commands.add_to(
-      knit, "wear", "Draw a tube of knit over a body: yarns, density, pressure, see-through",
+      knit, "wear",
+      "Draw a tube of knit or a stocking over a body: yarns, density, pressure, see-through",
       "hada knit wear leg.obj --courses 150 --wales 150 -o out/worn", knit_wear_command,
       [](CLI::App& command, KnitWearArguments& a) {
         command.add_option("body", a.body,
@@ -57,24 +58,26 @@ void add_wear(Commands& commands, CLI::App& knit) {
                         "tube (default), open at both ends; or stocking, with heel and toe, for a "
                         "leg that stands on its foot")
             ->check(CLI::IsMember({"tube", "stocking"}));
-        command.add_option("--courses", o.courses, "rings of stitches (default: 150)")
+        command.add_option("--courses", o.courses, "rounds of stitches (default: 150)")
             ->check(CLI::Range(3, most_stitches));
         command.add_option("--wales", o.wales, "stitches of a ring (default: 150)")
             ->check(CLI::Range(3, most_stitches));
-        command.add_option("--axis", a.axis, "along which the tube is drawn: x, y (default) or z")
+        command.add_option("--axis", a.axis, "along which it is drawn: x, y (default) or z")
             ->check(CLI::IsMember({"x", "y", "z"}));
         command.add_option(
             "--from", o.from_mm,
-            "height along the axis where it begins, mm (default: nearly at the end)");
-        command.add_option("--to", o.to_mm,
-                           "height where it ends, mm (default: nearly at the end)");
+            "height along the axis where a tube begins, mm (default: nearly at the end)");
+        command.add_option(
+            "--to", o.to_mm,
+            "height where it ends, or the welt of a stocking, mm (default: nearly at the end)");
         command
             .add_option("--girth", o.girth,
-                        "of the tube at rest, over the smallest of the body (default: 0.7)")
+                        "of the knit at rest, over the smallest of the body, or of its ankle "
+                        "(default: 0.7)")
             ->check(CLI::Range(0.01, 100.0));
         command
             .add_option("--length", o.length,
-                        "of the tube at rest, over that when worn (default: 0.6)")
+                        "of the knit at rest, over that when worn (default: 0.6)")
             ->check(CLI::Range(0.01, 100.0));
         command
             .add_option("--friction", o.friction,

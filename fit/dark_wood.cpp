@@ -23,7 +23,7 @@ constexpr double rings_per_px = 2.0;  // that wood is compared in: boundaries ar
 constexpr double sector_px = 150.0;   // along a ring: wood that shares one brightness
 constexpr int coarse = 4;             // px, from one to the next, for a first look
 
-/// Pixels of the wood with their effective radius, in px, and the cell whose wood they belong to.
+/// A pixel of the wood and the cell whose wood it belongs to.
 struct Place {
   int row, col;
   std::size_t cell;
@@ -74,7 +74,7 @@ class Ground {
   void set_ground(const Grid<float>& brightness, double share, double darkest) {
     std::vector<std::vector<float>> seen(ground_.size());
     for (const Place& place : places_) {
-      if (darkest<HUGE_VAL&& double(dark_(place.row, place.col))> darkest) continue;
+      if (double(dark_(place.row, place.col)) > darkest) continue;
       seen[place.cell].push_back(brightness(place.row, place.col));
     }
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -98,7 +98,10 @@ class Ground {
       std::vector<float> vessels;
       std::copy_if(values.begin(), values.end(), std::back_inserter(vessels),
                    [&](float value) { return double(value) > threshold; });
-      if (double(vessels.size()) < least_share * double(values.size())) return;
+      if (double(vessels.size()) < least_share * double(values.size())) {
+        depth_ = 0.0;
+        return;
+      }
       depth_ = double(median(std::move(vessels)));
       threshold = std::max(threshold, 0.5 * depth_);
     }

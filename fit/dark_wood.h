@@ -17,8 +17,9 @@ struct DarkWood {
   std::vector<Disc> discs;  // vessels, in px
 };
 
-/// Vessels of an end grain whose rings run along `frame`; nothing where it shows none, or where
-/// they are smaller than 4 px. The frame may be a rough one: only arcs of 150 px follow it.
+/// Vessels of an end grain whose rings run along `frame`; nothing where it shows fewer than ten,
+/// where they take less than 0.2 % of it, or where they are smaller than 4 px. The frame may be a
+/// rough one: only arcs of 150 px follow it.
 std::optional<DarkWood> dark_wood(const Grid<float>& brightness, const Mask& wood,
                                   const GrowthFrame& frame, const Extent& extent);
 

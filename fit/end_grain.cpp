@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "fit/absorbance.h"
@@ -168,16 +169,19 @@ EndGrain end_grain(const Surface& surface) {
   const int margin = std::max(2, std::min(extent.rows, extent.cols) / 200);
   grain.wood = without_background(brightness, surface.mask, margin);
   const auto map = absorbance(brightness);
-  const auto guess_in = [&](const Mask& mask) {
-    return pith_guess(ring_directions(line_field(map, mask), extent), extent);
+  const auto directions_in = [&](const Mask& mask) {
+    return ring_directions(line_field(map, mask), extent);
   };
-  auto guess = guess_in(grain.wood);
+  auto guess = pith_guess(directions_in(grain.wood), extent);
   Mask clear = grain.wood;
   for (int round = 0; round < vessel_rounds; ++round) {
     const auto seen = dark_wood(brightness, grain.wood, rough_frame(guess), extent);
     if (!seen) break;
-    clear = without_discs(grain.wood, seen->discs);
-    guess = guess_in(clear);
+    Mask between = without_discs(grain.wood, seen->discs);
+    const auto directions = directions_in(between);
+    if (directions.size() < fewest_directions) break;  // vessels leave too little to see rings in
+    clear = std::move(between);
+    guess = pith_guess(directions, extent);
   }
   Refinement refinement(map, clear, extent, guess);
   refinement.follow_pieces();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <complex>
 
@@ -16,6 +17,7 @@ class Multiples {
   Multiples(double cosine, double sine) : turn_(cosine, sine) { turns_[0] = 1.0; }
 
   const std::complex<double>& operator()(double order) {
+    assert(order < double(turns_.size()));
     for (; known_ < std::size_t(order); ++known_) turns_[known_ + 1] = turns_[known_] * turn_;
     return turns_[std::size_t(order)];
   }

@@ -71,7 +71,7 @@ std::vector<double> turns_of(const KnitNet& net, const PulledShapes& shapes) {
   double reach = 0.0;
   for (const auto& p : shapes.places[0]) reach = std::max(reach, p.norm());
   const double step = 0.5 * std::min(net.wale_length, net.course_length) / reach;
-  const int count = int(std::ceil(farthest_turn / step));
+  const int count = std::max(1, int(std::ceil(farthest_turn / step)));
   std::vector<double> turns;
   for (int k = -count; k <= count; ++k) turns.push_back(farthest_turn * k / count);
   return turns;

@@ -149,7 +149,7 @@ std::vector<RingDirection> ring_directions(const LineField& field, const Extent&
 }
 
 PithGuess pith_guess(const std::vector<RingDirection>& directions, const Extent& extent) {
-  if (directions.size() < 50) {
+  if (directions.size() < fewest_directions) {
     throw Error("wood: no rings can be seen; give a sharp picture of an end grain");
   }
   const double diagonal = std::hypot(extent.width(), extent.height());

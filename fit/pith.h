@@ -26,10 +26,12 @@ struct PithGuess {
   double oval_sine = 0.0;
 };
 
+constexpr std::size_t fewest_directions = 50;
+
 /// Where the normals of the rings meet, by several starts and a robust loss; then, if that lies
 /// inside the picture, from ever smaller surroundings of it, because rings near the pith are round.
 ///
-/// throws  Error if fewer than 50 directions are given
+/// throws  Error if fewer than `fewest_directions` are given
 PithGuess pith_guess(const std::vector<RingDirection>& directions, const Extent& extent);
 
 }  // namespace hada

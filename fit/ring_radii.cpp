@@ -122,16 +122,15 @@ std::vector<RingChain> wandering_rings(const std::vector<RingChain>& rings,
   return found;
 }
 
-bool stands_out(RingChain ring, const Unrolled& flat, double pitch) {
-  std::stable_sort(ring.begin(), ring.end(),
-                   [](const RingEdge& a, const RingEdge& b) { return a.sector < b.sector; });
+bool stands_out(const RingChain& ring, const Unrolled& flat, double pitch) {
   const double step_px = flat.step / pitch;
   const auto reach = std::ptrdiff_t(std::ceil(4.0 * blur_px / step_px));  // of what a slope sees
   double count = 0.0, sum = 0.0, squares = 0.0;
   for (int s = 0; s < flat.values.rows(); ++s) {
     std::vector<double> beside;
     for (const RingEdge& edge : ring) {
-      const int apart = std::abs(edge.sector - s);
+      int apart = std::abs(edge.sector - s);
+      if (flat.whole_turn) apart = std::min(apart, flat.values.rows() - apart);
       const int own = 2 * flat.joined_at(edge.rho);  // sectors that see a part of this one
       if (apart >= own + nearest_beside && apart <= own + farthest_beside)
         beside.push_back(edge.rho);

@@ -30,7 +30,7 @@ std::vector<RingChain> wandering_rings(const std::vector<RingChain>& rings,
 /// Whether the picture gets lighter outward where a ring should be by what it is beside: noise has
 /// steep places in any sector, but not where those of other sectors say. True of a ring that
 /// fewer than 24 sectors see: so few may be too far from each other to tell.
-bool stands_out(RingChain ring, const Unrolled& flat, double pitch);
+bool stands_out(const RingChain& ring, const Unrolled& flat, double pitch);
 
 /// The middle radius of a ring's edges.
 double radius_of(const RingChain& ring);

@@ -65,13 +65,15 @@ void FootPath::find_forward() {
     way[axis_] = 0.0;
     if (way.norm() > farthest) farthest = way.norm(), forward_ = way.normalized();
   }
+  const auto expect_foot = [](bool there) {
+    if (!there) throw Error("the body has no foot at its low end: draw a tube over it, or turn it");
+  };
+  // Farther than it is wide: else what lies below is the end of a leg.
+  expect_foot(farthest > girth_mm_ / 4.0);
   side_ = up_.cross(forward_);
   const Vector3d front = leaves(middle, forward_).place;
-  // Farther than it is wide: else what lies below is the end of a leg.
   const double ahead = farthest - (front - middle).norm();
-  if (!(farthest > girth_mm_ / 4.0) || !(ahead > 0.0)) {
-    throw Error("the body has no foot at its low end: draw a tube over it, or turn it");
-  }
+  expect_foot(ahead > 0.0);
   pivot_ = front + before_instep * ahead * forward_;
 }
 

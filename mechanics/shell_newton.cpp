@@ -1,5 +1,6 @@
 #include "mechanics/shell_newton.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/SparseCholesky>

@@ -118,8 +118,11 @@ WornKnit worn_stocking(const Body& body, const WearOptions& options) {
   net.pinned.assign(net.course.size(), false);
   std::fill_n(net.pinned.begin(), shape.wales, true);
   net.pinned.back() = true;
+  double longest = course_mm(path, options);
+  if (options.friction > 0.0)
+    longest = std::min(longest, rough_slide * options.girth * path.girth_mm());
   const auto rest = slid_to_rest(body, net, ShellNewton(), drawn_on(path, shape, net),
-                                 {.longest_mm = course_mm(path, options),
+                                 {.longest_mm = longest,
                                   .each = true,
                                   .friction = options.friction,
                                   .most_steps = options.most_steps,

@@ -66,7 +66,7 @@ std::vector<double> pressures(const WornKnit& knit, int repeat) {
     double force = 0.0, area = 0.0;
     for (int step = -half; step <= half; ++step) {
       const int course = std::clamp(middle + step, 0, courses - 1);
-      const double weight = repeat % 2 == 0 && 2 * std::abs(step) == repeat ? 0.5 : 1.0;
+      const double weight = weight_of(step, repeat);
       const auto p = std::size_t(course * wales + i % wales);
       force += weight * knit.press[p], area += weight * knit.area_mm2[p];
     }

@@ -1,6 +1,7 @@
 #include "reconstruct/coarse_nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hada {
 namespace {
@@ -29,7 +30,9 @@ class Queue {
   }
   void change(int node, int by) {
     remove(node);
-    gain_[std::size_t(node)] += by;
+    // What depends on what is not quite the same seen from both ends of an edge: they are rounded
+    // apart.
+    gain_[std::size_t(node)] = std::max(0, gain_[std::size_t(node)] + by);
     insert(node);
   }
   // One with the largest gain; -1 if none is left.
@@ -64,7 +67,7 @@ std::vector<float> heaviest_edges(const SparseRows& graph) {
 std::vector<std::uint8_t> coarse_nodes(const SparseRows& graph) {
   const std::vector<float> heaviest = heaviest_edges(graph);
   const auto depends = [&](int node, float weight) {
-    return weight > 0.0f && weight >= strong_share * heaviest[std::size_t(node)];
+    return is_strong(weight, heaviest[std::size_t(node)]);
   };
   // work(other) for all others that `node` depends on, or that depend on it.
   const auto for_strong = [&](int node, bool on_others, const auto& work) {

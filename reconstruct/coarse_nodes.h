@@ -13,6 +13,10 @@ std::vector<float> heaviest_edges(const SparseRows& graph);
 /// A node depends on another where their edge weighs at least this share of its heaviest one.
 constexpr float strong_share = 0.25f;
 
+inline bool is_strong(float weight, float heaviest) {
+  return weight > 0.0f && weight >= strong_share * heaviest;
+}
+
 /// 1 for the nodes of the graph that the coarser level keeps: every other node with edges depends
 /// on at least one of them, and as few as can be depend on each other.
 ///

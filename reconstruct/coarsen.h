@@ -10,8 +10,7 @@ namespace hada {
 /// An edge between two blocks stands for two halves of a block and the edges that cross in between,
 /// in series: 1 / (1 / crossing + reach + reach), reach = 1 / (2 inside) and inside the edges that
 /// join the halves. In an even lattice that is half of what crosses. Over a bridge one pixel wide
-/// it falls as slowly as the conductance of a constriction does, and where weights jump it is the
-/// harmonic mean.
+/// it falls as slowly as the conductance of a constriction does.
 ///
 /// least_strength  a part hangs together by edges that are at least this share of all edges at both
 /// of

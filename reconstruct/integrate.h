@@ -34,7 +34,8 @@ struct IntegrateOptions {
 /// returns  a grid of the same size; 0 outside the mask; all arrays lie in the memory of the mask
 /// throws   Error if the mask is empty
 ///
-/// Conjugate gradients on the normal equations, preconditioned by one multigrid V-cycle.
+/// Full multigrid (`Multigrid`); with weights, conjugate gradients around algebraic multigrid
+/// (`WeightedSolver`), which keeps some ten bytes a pixel in memory wherever the mask lies.
 /// Source: Horn and Brooks, CVGIP 33 (1986); Kiso et al., section 4.
 Grid<float> integrate(const NormalMap& normals, const Mask& mask, double pitch,
                       const IntegrateOptions& options = {});

@@ -40,6 +40,15 @@ class RowSums {
   std::vector<int> columns_;
 };
 
+// Rounds the shares so that they add up to 1 exactly: else a plate that hangs on weak edges would
+// pull at its neighbours.
+void round_shares(std::vector<double>& shares) {
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  double rest = 1.0;
+  for (double& share : shares) rest -= share = std::floor(share / sum * 0x1p24) * 0x1p-24;
+  *std::max_element(shares.begin(), shares.end()) += rest;
+}
+
 class Interpolator {
  public:
   Interpolator(const SparseRows& graph, const std::vector<std::uint8_t>& coarse)
@@ -78,8 +87,8 @@ class Interpolator {
 
  private:
   bool is_coarse(int node) const { return coarse_[std::size_t(node)] != 0; }
-  bool is_strong(int node, float weight) const {
-    return weight > 0.0f && weight >= strong_share * heaviest_[std::size_t(node)];
+  bool depends(int node, float weight) const {
+    return is_strong(weight, heaviest_[std::size_t(node)]);
   }
   template <class Work>
   void for_edges(int node, const Work& work) const {
@@ -93,15 +102,15 @@ class Interpolator {
   void find_pulls(int node) {
     pull_.begin(node);
     for_edges(node, [&](int other, float weight) {
-      if (!is_strong(node, weight)) return;
+      if (!depends(node, weight)) return;
       if (is_coarse(other)) return pull_.add(other, 0.0);
       for_edges(other, [&](int third, float w) {
-        if (is_coarse(third) && is_strong(other, w)) pull_.add(third, 0.0);
+        if (is_coarse(third) && depends(other, w)) pull_.add(third, 0.0);
       });
     });
     for_edges(node, [&](int other, float weight) {
       if (pull_.has(other)) return pull_.add(other, weight);
-      if (is_coarse(other) || !is_strong(node, weight)) return;
+      if (is_coarse(other) || !depends(node, weight)) return;
       double sum = 0.0;
       for_edges(other, [&](int third, float w) {
         if (w > 0.0f && (third == node || pull_.has(third))) sum += w;
@@ -131,13 +140,6 @@ class Interpolator {
 };
 
 }  // namespace
-
-void round_shares(std::vector<double>& shares) {
-  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
-  double rest = 1.0;
-  for (double& share : shares) rest -= share = std::floor(share / sum * 0x1p24) * 0x1p-24;
-  *std::max_element(shares.begin(), shares.end()) += rest;
-}
 
 SparseRows interpolation(const SparseRows& graph, const std::vector<std::uint8_t>& coarse) {
   return Interpolator(graph, coarse).run();

@@ -7,10 +7,6 @@
 
 namespace hada {
 
-/// Rounds the shares so that they add up to 1 exactly: else a plate that hangs on weak edges would
-/// pull at its neighbours.
-void round_shares(std::vector<double>& shares);
-
 /// How the value of every node is made of those of the coarse nodes, which are numbered in order:
 /// one row for each, of shares that add up to 1 exactly. No share for nodes without edges.
 ///

@@ -9,7 +9,6 @@
 #include "reconstruct/coarsen.h"
 #include "reconstruct/extra_nodes.h"
 #include "reconstruct/row_arithmetic.h"
-#include "reconstruct/row_kernels.h"
 #include "reconstruct/smooth.h"
 
 namespace hada {

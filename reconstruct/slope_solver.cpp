@@ -8,7 +8,6 @@
 #include "core/parallel.h"
 #include "reconstruct/rise_kernels.h"
 #include "reconstruct/row_arithmetic.h"
-#include "reconstruct/row_kernels.h"
 
 namespace hada {
 

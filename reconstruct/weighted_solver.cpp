@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/error.h"
 #include "core/parallel.h"
 
 namespace hada {
@@ -190,6 +191,9 @@ WeightedSolver::Solution WeightedSolver::solve(const EdgeRises& rises, double to
     last_agreement = agreement;
     const double length = agreement / energy(direction);
     ++solution.cycles;
+    if (!std::isfinite(agreement)) {
+      throw Error("the slopes or the weights of the map are too large to add up: check them");
+    }
     if (!(agreement > 0.0) || !std::isfinite(length)) break;
     add_times(length, direction, solution.height);
     const double size = length * std::sqrt(dot(direction, direction) / pixels_);

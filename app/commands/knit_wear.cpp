@@ -53,6 +53,9 @@ void knit_wear_command(const KnitWearArguments& arguments, const Terminal& termi
   if (stocking && arguments.loops) {
     throw Error("--loops draws the loops of a tube: leave it out, or take --shell tube");
   }
+  if (stocking && options.from_mm) {
+    throw Error("--from is where a tube begins: a stocking is closed there, leave it out");
+  }
   const LegShape leg{.foot_mm = stocking ? 230.0 : 0.0};
   const Body body(arguments.body ? read_mesh(*arguments.body) : leg_mesh(leg));
   terminal.step("drawing the knit over it");

@@ -72,6 +72,7 @@ TEST(Knit, RefusesWhatItCannotDoInOneSentence) {
                                      "knit wear --courses 1",
                                      "knit wear --girth -1",
                                      "knit wear --shell stocking --loops",
+                                     "knit wear --shell stocking --from 100",
                                      "knit wear --shell stocking --wales 8",
                                      "knit pull --stretch 0",
                                      "knit pull --along the-bias",

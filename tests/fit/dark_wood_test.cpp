@@ -52,7 +52,7 @@ TEST(DarkWood, IsNotToldWhereVesselsAreTooSmall) {
 }
 
 TEST(DarkWood, IsFoundWhereVesselsAreRare) {
-  // A hundred vessels less nine in ten, half a per cent of the picture.
+  // Twelve vessels, less than a per cent of the picture.
   Grid<float> map = picture(0.0);
   const Grid<float> all = picture(6.0);
   for (int row = 0; row < side; ++row) {

@@ -1,6 +1,7 @@
 #include "fit/knit_search.h"
 
 #include <array>
+#include <cmath>
 
 #include <gtest/gtest.h>
 

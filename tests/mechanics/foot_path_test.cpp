@@ -1,5 +1,6 @@
 #include "mechanics/foot_path.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "mechanics/shell_net.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -18,7 +20,7 @@ ShellNet small_stocking(int heel) {
 Places around(const ShellNet& net) {
   Places places;
   for (int i = 0; i < net.points(); ++i) {
-    const double turn = 2.0 * 3.14159265 * net.wale[std::size_t(i)] / 24.0;
+    const double turn = 2.0 * std::numbers::pi * net.wale[std::size_t(i)] / 24.0;
     places.emplace_back(8.0 * std::sin(turn), 2.0 * net.course[std::size_t(i)],
                         8.0 * std::cos(turn));
     for (int axis = 0; axis < 3; ++axis) places.back()[axis] += 0.2 * gaussian(3, i, axis);

@@ -1,5 +1,7 @@
 #include "mechanics/shell_newton.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -16,7 +18,7 @@ TEST(ShellNewton, SolvesForTheWayThatChangesForcesSo) {
   net.pinned.back() = true;
   Places places, load;
   for (int i = 0; i < net.points(); ++i) {
-    const double turn = 2.0 * 3.14159265 * net.wale[std::size_t(i)] / 24.0;
+    const double turn = 2.0 * std::numbers::pi * net.wale[std::size_t(i)] / 24.0;
     places.emplace_back(8.0 * std::sin(turn), 2.0 * net.course[std::size_t(i)],
                         8.0 * std::cos(turn));
     load.emplace_back(gaussian(1, i, 0), gaussian(1, i, 1), gaussian(1, i, 2));

@@ -1,6 +1,7 @@
 #include "mechanics/stocking.h"
 
 #include <map>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -108,7 +109,7 @@ TEST(Stocking, NarrowsAsAHemisphereDoes) {
   std::map<int, int> of_course;
   for (const int course : net.course) ++of_course[course];
   for (int j = 1; j <= shape.toe; ++j) {
-    const double t = 0.5 * 3.14159265 * j / (shape.toe + 1.0);
+    const double t = 0.5 * std::numbers::pi * j / (shape.toe + 1.0);
     EXPECT_NEAR(of_course[shape.leg + shape.heel + shape.foot + j - 1], shape.wales * std::cos(t),
                 0.51);
   }

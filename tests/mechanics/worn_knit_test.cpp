@@ -1,5 +1,7 @@
 #include "mechanics/worn_knit.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace hada {
