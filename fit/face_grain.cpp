@@ -17,13 +17,12 @@ namespace hada {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr int fewest_parts = 12;       // that must show fibres
-constexpr int fewest_directions = 50;  // of rings, to ask where they meet
-constexpr double least_gain = 12.0;    // of the information criterion, for a period
-constexpr double neighbours = 3.0;     // parts whose streaks are partly the same rows
-constexpr double pulled = 0.0025;      // slope by which borders of rings may pull the fibres
-constexpr double compared_px = 18.0;   // rows over which the slope of a streak is a mean
-constexpr double loss_scale = 2.5;     // scatters, of the Cauchy loss
+constexpr int fewest_parts = 12;      // that must show fibres
+constexpr double least_gain = 12.0;   // of the information criterion, for a period
+constexpr double neighbours = 3.0;    // parts whose streaks are partly the same rows
+constexpr double pulled = 0.0025;     // slope by which borders of rings may pull the fibres
+constexpr double compared_px = 18.0;  // rows over which the slope of a streak is a mean
+constexpr double loss_scale = 2.5;    // scatters, of the Cauchy loss
 
 /// slope = state[0] + state[1] sin + state[2] cos of turn s / length; length 0: state[0] alone.
 struct Wave {
@@ -202,7 +201,7 @@ bool looks_like_a_face(const Surface& surface) {
       double(seen.size()) < least_share * parts_of(surface.extent))
     return false;
   const auto directions = ring_directions(line_field(map, surface.mask), surface.extent);
-  if (int(directions.size()) < fewest_directions) return true;
+  if (directions.size() < fewest_directions) return true;
   const double diagonal = std::hypot(surface.extent.width(), surface.extent.height());
   return pith_guess(directions, surface.extent).place.norm() > far * diagonal;
 }
