@@ -57,7 +57,7 @@ struct AtRestOnBody {
 /// points come to a stand: steps are short and dragged, and the search ends where no force exceeds
 /// the friction by more than a share of the largest tension.
 template <class Net, class Newton>
-AtRestOnBody slid_to_rest(const Body& body, const Net& net, Newton newton,
+AtRestOnBody slid_to_rest(const Body& body, const Net& net, Newton&& newton,
                           std::vector<MeshPlace> at, const SlideOptions& options) {
   constexpr double exactness = 5e-2;  // of a step
   constexpr double uphill = 1.5;

@@ -92,15 +92,12 @@ WornKnit worn(const Body& body, const WearOptions& options) {
   std::fill_n(net.pinned.begin(), net.wales, true);
   std::fill_n(net.pinned.rbegin(), net.wales, true);
 
-  const auto rest =
-      slid_to_rest(body, net, KnitNewton(net, 2), std::move(at),
-                   {.longest_mm = (options.friction > 0.0 ? rough_slide : free_slide) * girth,
-                    .friction = options.friction,
-                    .most_steps = options.most_steps,
-                    .tolerance = options.tolerance});
-  const KnitSprings springs = springs_of(net, smooth_places(body, rest.knit.at));
-  take_rest(result, rest, net.pinned, largest_tension(springs));
-  describe(result, springs);
+  describe(result,
+           laid_to_rest(result, body, net, KnitNewton(net, 2), std::move(at),
+                        {.longest_mm = (options.friction > 0.0 ? rough_slide : free_slide) * girth,
+                         .friction = options.friction,
+                         .most_steps = options.most_steps,
+                         .tolerance = options.tolerance}));
   return result;
 }
 

@@ -121,15 +121,12 @@ WornKnit worn_stocking(const Body& body, const WearOptions& options) {
   double longest = course_mm(path, options);
   if (options.friction > 0.0)
     longest = std::min(longest, rough_slide * options.girth * path.girth_mm());
-  const auto rest = slid_to_rest(body, net, ShellNewton(), drawn_on(path, shape, net),
-                                 {.longest_mm = longest,
-                                  .each = true,
-                                  .friction = options.friction,
-                                  .most_steps = options.most_steps,
-                                  .tolerance = options.tolerance});
-  const ShellSprings springs = springs_of(net, smooth_places(body, rest.knit.at));
-  take_rest(result, rest, net.pinned, largest_tension(springs));
-  describe(result, springs);
+  describe(result, laid_to_rest(result, body, net, ShellNewton(), drawn_on(path, shape, net),
+                                {.longest_mm = longest,
+                                 .each = true,
+                                 .friction = options.friction,
+                                 .most_steps = options.most_steps,
+                                 .tolerance = options.tolerance}));
   return result;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "mechanics/shell_net.h"
 #include "mechanics/slide.h"
@@ -43,5 +45,15 @@ std::vector<ShellCell> cells_of(const WornKnit& knit);
 /// Fills in where points came to rest and how hard they press.
 void take_rest(WornKnit& knit, const AtRestOnBody& rest, const std::vector<bool>& pinned,
                double largest_tension);
+
+/// Lets a net slide to rest, and fills in the same; returns its springs as they are then.
+template <class Net, class Newton>
+auto laid_to_rest(WornKnit& knit, const Body& body, const Net& net, Newton&& newton,
+                  std::vector<MeshPlace> at, const SlideOptions& options) {
+  const auto rest = slid_to_rest(body, net, newton, std::move(at), options);
+  auto springs = springs_of(net, smooth_places(body, rest.knit.at));
+  take_rest(knit, rest, net.pinned, largest_tension(springs));
+  return springs;
+}
 
 }  // namespace hada
