@@ -207,6 +207,15 @@ double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
          double(spectral_fields(fit.material)) * std::log(seen.spectrum.independence * ordinates);
 }
 
+/// Whether every component is known to be there.
+bool all_told(const Fit<Wrinkle<>>& fit) {
+  for (std::size_t k = 0; k < fit.material.components.size(); ++k) {
+    if (!(fit.sigma.components[k].amplitude_mm < fit.material.components[k].amplitude_mm))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Wrinkle<> canonical(Wrinkle<> wrinkle) {
@@ -226,6 +235,7 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
   const int fewest = options.components > 0 ? options.components : 1;
   const int most = options.components > 0 ? options.components : options.most_components;
   Fit<Wrinkle<>> best;
+  std::vector<Fit<Wrinkle<>>> fewer;  // the best of each smaller number of components
   const auto tell = [&](const std::string& stage) {
     if (options.progress) options.progress(stage);
   };
@@ -237,11 +247,19 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
                                         : with_one_more(best.material, seen.fine,
                                                         densities(best.material, seen.fine)));
     auto fit = fit_from(from, seen);
-    if (components > fewest && bic(fit, seen) >= bic(best, seen)) break;
+    if (components > fewest) {
+      if (bic(fit, seen) >= bic(best, seen)) break;
+      fewer.push_back(std::move(best));
+    }
     best = std::move(fit);
   }
   tell("refining " + std::to_string(best.material.components.size()) + " over the whole spectrum");
   refine(best, seen);
+  // What paid among few cells may be nothing in the whole spectrum.
+  for (; !all_told(best) && !fewer.empty(); fewer.pop_back()) {
+    best = fewer.back();
+    refine(best, seen);
+  }
   const bool picture = !surface.has_height();
   if (picture && best.goodness_p < least_goodness)
     best = closest_wrinkle(seen, best, options.components);
