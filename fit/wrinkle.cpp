@@ -5,34 +5,21 @@
 #include <numbers>
 
 #include "fit/closest_wrinkle.h"
-#include "fit/goodness.h"
 #include "fit/observe.h"
 #include "fit/ridge_sheets.h"
-#include "fit/sampling.h"
 #include "fit/solve.h"
 #include "fit/whittle.h"
+#include "fit/wrinkle_refine.h"
 #include "fit/wrinkle_starts.h"
 
 namespace hada {
 namespace {
 
 constexpr double least_goodness = 1e-3;  // p below which a person is told
-constexpr int corrections = 2;  // of the window: each leaves a small share of the error before
 constexpr double same_rough_cost = 0.5;  // of starts that are on the way to the same place
 constexpr double same_share = 0.02;      // by which the fields of one and the same end may differ
 constexpr int most_groups = 4;           // of starts that are worth the whole spectrum
 constexpr double visible_floor = 0.3;    // share of the lowest power
-constexpr double most_worse = 1.2;       // than before may a refined fit explain the first cells
-constexpr int fewest_per_field = 5;      // cells, so that a refinement has something to go by
-constexpr int ridge_fields = 3;          // the last of a wrinkle
-
-double half_sum_of_squares(const Wrinkle<>& wrinkle, std::size_t count, const auto& residual) {
-  std::vector<double> r(count);
-  residual(wrinkle, r.data());
-  double sum = 0.0;
-  for (const double value : r) sum += 0.5 * value * value;
-  return sum;
-}
 
 /// A wrinkle that explains as many components one after the other, each where most is left over.
 Wrinkle<> grown(int components, const Observation& seen) {
@@ -84,11 +71,6 @@ std::vector<Group> groups_of(const Wrinkle<>& shape, std::vector<Ending> endings
     ++groups.back().starts;
   }
   return groups;
-}
-
-/// How many fields the spectrum knows: all but the ridges.
-int spectral_fields(const Wrinkle<>& wrinkle) {
-  return int(pack(wrinkle).size()) - ridge_fields;
 }
 
 /// The spectrum says nothing of ridges.
@@ -146,41 +128,6 @@ Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation&
   return fit;
 }
 
-/// `fit` moved to where the whole spectrum and the exact window want it, and its uncertainty.
-void refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
-  const double kappa = seen.spectrum.independence;
-  const Extent& extent = seen.spectrum.extent;
-  const auto overlap = taper_overlap(seen.spectrum.taper);
-  const int fields = spectral_fields(fit.material);
-  const double first_cost = fit.cost;
-  auto cells = seen.fine;
-  for (int k = 0; k < corrections; ++k) {
-    auto better_cells =
-        trusted(corrected(seen.full, fit.material, overlap, extent), fit.material, extent.pitch);
-    if (int(better_cells.size()) < fewest_per_field * fields) break;
-    const auto better =
-        solve(std::vector{fit.material}, int(better_cells.size()), deviances(better_cells, kappa),
-              {.max_iterations = 60, .tolerance = 1e-8});
-    // A model must not leave out the cells that speak against it.
-    const auto first = deviances(seen.fine, kappa);
-    if (half_sum_of_squares(better.material, seen.fine.size(), first) > most_worse * first_cost)
-      break;
-    cells = std::move(better_cells);
-    fit.material = canonical(better.material);
-    fit.cost = better.cost;
-  }
-  // A floor that the data cannot tell from none is none.
-  Wrinkle<> bare = fit.material;
-  bare.floor_mm4 = 0.0;
-  const double without = half_sum_of_squares(bare, cells.size(), deviances(cells, kappa));
-  if (without < fit.cost + 0.01) fit.material = bare;
-
-  const auto jacobian =
-      jacobian_of(fit.material, int(cells.size()), whitened_logarithms(cells, kappa));
-  set_uncertainty(fit, jacobian.transpose() * jacobian);
-  fit.goodness_p = goodness_of_fit(cells, densities(fit.material, cells), kappa, fields);
-}
-
 std::vector<std::string> remarks_on(const Fit<Wrinkle<>>& fit) {
   std::vector<std::string> remarks;
   for (const auto& path : fit.on_bound) {
@@ -205,15 +152,6 @@ double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
   for (const Cell& cell : seen.fine) ordinates += cell.count;
   return 2.0 * fit.cost +
          double(spectral_fields(fit.material)) * std::log(seen.spectrum.independence * ordinates);
-}
-
-/// Whether every component is known to be there.
-bool all_told(const Fit<Wrinkle<>>& fit) {
-  for (std::size_t k = 0; k < fit.material.components.size(); ++k) {
-    if (!(fit.sigma.components[k].amplitude_mm < fit.material.components[k].amplitude_mm))
-      return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -254,12 +192,7 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
     best = std::move(fit);
   }
   tell("refining " + std::to_string(best.material.components.size()) + " over the whole spectrum");
-  refine(best, seen);
-  // What paid among few cells may be nothing in the whole spectrum.
-  for (; !all_told(best) && !fewer.empty(); fewer.pop_back()) {
-    best = fewer.back();
-    refine(best, seen);
-  }
+  best = refined_and_told(std::move(best), std::move(fewer), seen);
   const bool picture = !surface.has_height();
   if (picture && best.goodness_p < least_goodness)
     best = closest_wrinkle(seen, best, options.components);

@@ -1,0 +1,84 @@
+#include "fit/wrinkle_refine.h"
+
+#include <utility>
+
+#include "fit/goodness.h"
+#include "fit/sampling.h"
+#include "fit/solve.h"
+#include "fit/whittle.h"
+#include "fit/wrinkle.h"
+
+namespace hada {
+namespace {
+
+constexpr int corrections = 2;       // of the window: each leaves a small share of the error before
+constexpr double most_worse = 1.2;   // than before may a refined fit explain the first cells
+constexpr int fewest_per_field = 5;  // cells, so that a refinement has something to go by
+
+double half_sum_of_squares(const Wrinkle<>& wrinkle, std::size_t count, const auto& residual) {
+  std::vector<double> r(count);
+  residual(wrinkle, r.data());
+  double sum = 0.0;
+  for (const double value : r) sum += 0.5 * value * value;
+  return sum;
+}
+
+}  // namespace
+
+int spectral_fields(const Wrinkle<>& wrinkle) {
+  return int(pack(wrinkle).size()) - ridge_fields;
+}
+
+void refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
+  const double kappa = seen.spectrum.independence;
+  const Extent& extent = seen.spectrum.extent;
+  const auto overlap = taper_overlap(seen.spectrum.taper);
+  const int fields = spectral_fields(fit.material);
+  const double first_cost = fit.cost;
+  auto cells = seen.fine;
+  for (int k = 0; k < corrections; ++k) {
+    auto better_cells =
+        trusted(corrected(seen.full, fit.material, overlap, extent), fit.material, extent.pitch);
+    if (int(better_cells.size()) < fewest_per_field * fields) break;
+    const auto better =
+        solve(std::vector{fit.material}, int(better_cells.size()), deviances(better_cells, kappa),
+              {.max_iterations = 60, .tolerance = 1e-8});
+    // A model must not leave out the cells that speak against it.
+    const auto first = deviances(seen.fine, kappa);
+    if (half_sum_of_squares(better.material, seen.fine.size(), first) > most_worse * first_cost)
+      break;
+    cells = std::move(better_cells);
+    fit.material = canonical(better.material);
+    fit.cost = better.cost;
+  }
+  // A floor that the data cannot tell from none is none.
+  Wrinkle<> bare = fit.material;
+  bare.floor_mm4 = 0.0;
+  const double without = half_sum_of_squares(bare, cells.size(), deviances(cells, kappa));
+  if (without < fit.cost + 0.01) fit.material = bare;
+
+  const auto jacobian =
+      jacobian_of(fit.material, int(cells.size()), whitened_logarithms(cells, kappa));
+  set_uncertainty(fit, jacobian.transpose() * jacobian);
+  fit.goodness_p = goodness_of_fit(cells, densities(fit.material, cells), kappa, fields);
+}
+
+bool all_told(const Fit<Wrinkle<>>& fit) {
+  for (std::size_t k = 0; k < fit.material.components.size(); ++k) {
+    if (!(fit.sigma.components[k].amplitude_mm < fit.material.components[k].amplitude_mm))
+      return false;
+  }
+  return true;
+}
+
+Fit<Wrinkle<>> refined_and_told(Fit<Wrinkle<>> best, std::vector<Fit<Wrinkle<>>> fewer,
+                                const Observation& seen) {
+  refine(best, seen);
+  for (; !all_told(best) && !fewer.empty(); fewer.pop_back()) {
+    best = std::move(fewer.back());
+    refine(best, seen);
+  }
+  return best;
+}
+
+}  // namespace hada
