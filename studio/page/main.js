@@ -1,9 +1,10 @@
+import { openFold } from './fold/room.js';
 import { attempt, part } from './parts.js';
 
-// A room is fetched and begun when it is first seen.
+// A room is begun when it is first seen, and fetched then, but for the first one.
 /** @type {Record<string, () => Promise<void>>} */
 const rooms = {
-  fold: async () => (await import('./fold/room.js')).openFold(),
+  fold: openFold,
   material: async () => (await import('./materials/room.js')).openMaterials(),
   capture: async () => (await import('./capture/room.js')).openCaptures(),
   surface: async () => (await import('./surface/room.js')).openSurfaces(),

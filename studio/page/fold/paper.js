@@ -14,6 +14,25 @@ const edgeColours = {
   F: new THREE.Color(0x9a948a),
 };
 
+const vertex = /* glsl */ `
+  attribute vec3 printed, white;
+  varying vec3 front, reverse, seen;
+  void main() {
+    front = printed;
+    reverse = white;
+    seen = (modelViewMatrix * vec4(position, 1.0)).xyz;
+    gl_Position = projectionMatrix * vec4(seen, 1.0);
+  }`;
+// Matt paper under a light that goes with the eye.
+const fragment = /* glsl */ `
+  varying vec3 front, reverse, seen;
+  void main() {
+    vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+    float light = 0.40 + 0.67 * max(0.0, dot(normal, normalize(vec3(-0.5, 0.6, 1.2))));
+    gl_FragColor = vec4((gl_FrontFacing ? front : reverse) * light, 1.0);
+    #include <colorspace_fragment>
+  }`;
+
 // Viridis at five places: 1e-12 and below to 1e-3 and above.
 const strainColours = [0x440154, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725].map((c) => new THREE.Color(c));
 
@@ -25,18 +44,34 @@ function colourOfStrain(strain) {
   return strainColours[low].clone().lerp(strainColours[low + 1], place - low);
 }
 
+/**
+ * Makes room for so many points, in the buffers that are there if they fit: a sheet in the hand keeps its faces.
+ * @param {THREE.BufferGeometry} geometry @param {string[]} names of attributes of three numbers @param {number} count
+ * @returns {(...values: number[][]) => void} puts in the next point
+ */
+function filled(geometry, names, count) {
+  if (geometry.getAttribute(names[0])?.count !== count) {
+    geometry.dispose();
+    for (const name of names) geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(3 * count), 3).setUsage(THREE.DynamicDrawUsage));
+  }
+  const into = names.map((name) => /** @type {THREE.BufferAttribute} */ (geometry.getAttribute(name)));
+  for (const attribute of into) attribute.needsUpdate = true;
+  let next = 0;
+  return (...values) => {
+    into.forEach((attribute, i) => attribute.array.set(values[i], next));
+    next += 3;
+  };
+}
+
 export class Paper {
   constructor() {
     this.group = new THREE.Group();
     this.faces = new THREE.BufferGeometry();
-    const common = { vertexColors: true, flatShading: true, polygonOffset: true, polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1 };
-    this.front = new THREE.Mesh(this.faces, new THREE.MeshLambertMaterial({ ...common, side: THREE.FrontSide }));
-    this.backs = new THREE.BufferGeometry();
-    this.back = new THREE.Mesh(this.backs, new THREE.MeshLambertMaterial({ ...common, side: THREE.BackSide }));
     this.lines = new THREE.BufferGeometry();
+    const paper = new THREE.ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, side: THREE.DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
     const outline = new THREE.LineSegments(this.lines, new THREE.LineBasicMaterial({ vertexColors: true }));
-    this.group.add(this.front, this.back, outline);
+    this.group.add(new THREE.Mesh(this.faces, paper), outline);
     this.strains = false;
   }
 
@@ -45,49 +80,28 @@ export class Paper {
    * @param {FoldState} state whose creases colour the edges
    */
   show(shape, state) {
-    /** @type {number[]} */
-    const places = [];
-    /** @type {number[]} */
-    const printed = [];
-    /** @type {number[]} */
-    const white = [];
-    /** @type {number[]} */
-    const ends = [];
-    /** @type {number[]} */
-    const ink = [];
     const creases = new Map(state.edges.map((edge) => [`${edge.from} ${edge.to}`, edge.crease]));
     const chosen = new Set(state.chosen);
-    shape.faces.forEach((corners, f) => {
+    const corners = shape.faces.reduce((sum, face) => sum + face.length, 0);
+    const triangles = filled(this.faces, ['position', 'printed', 'white'], 3 * (corners - 2 * shape.faces.length));
+    const ends = filled(this.lines, ['position', 'color'], 2 * corners);
+    shape.faces.forEach((face, f) => {
       const lift = shape.piles.level[f] * gap * state.side;
-      const at = (/** @type {number} */ v) =>
-        [0, 1, 2].map((k) => shape.vertices[3 * v + k] + lift * shape.piles.up[3 * f + k]);
-      const strain = colourOfStrain(shape.strain.faces[f]);
+      const at = face.map((v) => [0, 1, 2].map((k) => shape.vertices[3 * v + k] + lift * shape.piles.up[3 * f + k]));
+      const strain = this.strains ? colourOfStrain(shape.strain.faces[f]) : null;
       const tint = chosen.has(f) ? 0.55 : 1;
-      const front = (this.strains ? strain : print).clone().multiplyScalar(tint);
-      const reverse = (this.strains ? strain : back).clone().multiplyScalar(tint);
-      for (let i = 1; i + 1 < corners.length; ++i) {
-        for (const v of [corners[0], corners[i], corners[i + 1]]) {
-          places.push(...at(v));
-          printed.push(front.r, front.g, front.b);
-          white.push(reverse.r, reverse.g, reverse.b);
-        }
-      }
-      corners.forEach((v, i) => {
-        const w = corners[(i + 1) % corners.length];
-        ends.push(...at(v), ...at(w));
+      const front = (strain ?? print).clone().multiplyScalar(tint).toArray();
+      const reverse = (strain ?? back).clone().multiplyScalar(tint).toArray();
+      for (let i = 1; i + 1 < face.length; ++i) for (const k of [0, i, i + 1]) triangles(at[k], front, reverse);
+      face.forEach((v, i) => {
+        const next = (i + 1) % face.length, w = face[next];
         const crease = creases.get(`${v} ${w}`) ?? creases.get(`${w} ${v}`) ?? 'F';
-        const colour = edgeColours[crease] ?? edgeColours.F;
-        ink.push(colour.r, colour.g, colour.b, colour.r, colour.g, colour.b);
+        const colour = (edgeColours[crease] ?? edgeColours.F).toArray();
+        ends(at[i], colour);
+        ends(at[next], colour);
       });
     });
-    const fill = (/** @type {THREE.BufferGeometry} */ geometry, /** @type {number[]} */ position,
-      /** @type {number[]} */ colour) => {
-      geometry.setAttribute('position', new THREE.Float32BufferAttribute(position, 3));
-      geometry.setAttribute('color', new THREE.Float32BufferAttribute(colour, 3));
-      geometry.computeBoundingSphere();
-    };
-    fill(this.faces, places, printed);
-    fill(this.backs, places, white);
-    fill(this.lines, ends, ink);
+    this.faces.computeBoundingSphere();
+    this.lines.computeBoundingSphere();
   }
 }

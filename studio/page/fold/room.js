@@ -15,14 +15,17 @@ const turnedView = 0.7; // radians, where an axis lies across the view
 class Room {
   constructor() {
     this.view = /** @type {HTMLElement} */ (part('fold-view'));
-    this.renderer = new THREE.WebGLRenderer({ canvas: part('fold-canvas'), antialias: true });
+    const canvas = /** @type {HTMLCanvasElement} */ (part('fold-canvas'));
+    canvas.width = this.view.clientWidth * window.devicePixelRatio; // so that it is made once
+    canvas.height = this.view.clientHeight * window.devicePixelRatio;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.eye = new Eye();
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color(0xe9e7e1);
     this.paper = new Paper();
-    const sun = new THREE.DirectionalLight(0xffffff, 2.1);
-    this.sun = sun;
-    this.scene.add(this.paper.group, new THREE.AmbientLight(0xffffff, 1.25), sun);
+    this.scene.add(this.paper.group);
+    this.renderer.debug.checkShaderErrors = false; // each question would wait for the graphics card
+    this.renderer.compile(this.scene, this.eye.camera); // while the sheet is asked for
     this.marks = new Marks(part('fold-marks'), (place) => this.project(place));
     this.flat = new Flat((state) => this.show(state), (face) => this.light(face));
     this.steps = new Steps((state) => this.show(state), (shape) => this.showShape(shape));
@@ -155,11 +158,10 @@ class Room {
   }
 
   draw() {
-    if (this.wanted) return;
+    if (this.wanted || !this.state) return;
     this.wanted = true;
     requestAnimationFrame(() => {
       this.wanted = false;
-      this.sun.position.set(-0.5, 0.6, 1.2).applyQuaternion(this.eye.turn);
       this.renderer.render(this.scene, this.eye.camera);
       this.marks.draw();
     });
