@@ -13,13 +13,12 @@ const crane = path.join(sources, 'data_synthetic/folds/crane.json');
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
 const started = [];
-for (let i = 0; i < 3; ++i) {
-  const studio = await openStudio(folder);
-  await studio.page.waitForSelector('#room-fold[data-at]');
-  await studio.page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
-  started.push(Date.now() / 1000 - studio.begun);
+for (let i = 0; i < 5; ++i) {
+  const studio = await openStudio(folder, true);
+  started.push(await studio.ready());
   await studio.close();
 }
+console.log('ready', started.map((s) => s.toFixed(2)).join(' '));
 const studio = await openStudio(folder);
 const { page } = studio;
 await page.waitForSelector('#room-fold[data-at]');

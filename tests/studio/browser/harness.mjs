@@ -14,20 +14,51 @@ export function skip(why) {
 /** What the test was started with: the program, the sources, where pictures are kept. */
 export const [program, sources, pictures] = process.argv.slice(2).map((word) => path.resolve(word));
 
-const places = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+const places = [process.env.CHROMIUM ?? '', '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+// What the browser does for itself and no test needs: above all the page behind its address bar,
+// which costs more than a second of the processor at every start.
+const idle = ['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'PreloadTopChromeWebUI', 'Translate', 'MediaRouter', 'OptimizationHints',
+  'HttpsUpgrades', 'DestroyProfileOnBrowserClose'];
 
-export async function openStudio(folder) {
+/** Resolves once the browser has come to rest: its own beginning is no time of the studio's. */
+async function atRest(browser) {
+  const session = await browser.newBrowserCDPSession();
+  const used = async () => (await session.send('SystemInfo.getProcessInfo')).processInfo.reduce((sum, { cpuTime }) => sum + cpuTime, 0);
+  let before = await used();
+  for (let quiet = 0, tries = 0; quiet < 4 && tries < 60; ++tries) {
+    await new Promise((resolve) => setTimeout(resolve, 250));
+    const now = await used();
+    quiet = now - before < 0.03 ? quiet + 1 : 0;
+    before = now;
+  }
+  await session.detach();
+}
+
+/** @param {string} folder @param {boolean} [timed] waits until the browser itself has begun */
+export async function openStudio(folder, timed = false) {
   const playwright = path.join(sources, 'studio/node_modules/playwright-core/index.mjs');
   if (!existsSync(playwright)) skip('playwright-core is missing; run npm ci in studio/');
   const chromium = places.find((place) => existsSync(place));
   if (!chromium) skip('no chromium is installed');
   const { chromium: engine } = await import(playwright);
   mkdirSync(pictures, { recursive: true });
-  const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+  const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+    `--disable-features=${idle.join(',')}`];
   const browser = await engine.launch({ executablePath: chromium, args: flags })
     .catch((error) => skip(`chromium does not start here: ${error.message.split('\n')[0]}`));
   const page = await browser.newPage({ viewport: { width: 1120, height: 700 } });
-  const begun = Date.now() / 1000;
+  // When the sheet can be folded: it is there, and a frame was drawn since. By the page's own clock,
+  // for a question from outside would take the time of its answer.
+  await page.addInitScript(() => {
+    const watch = new MutationObserver(() => {
+      if (!document.querySelector('#room-fold[data-at]:not([hidden])')) return;
+      watch.disconnect();
+      requestAnimationFrame(() => (window.foldable = performance.timeOrigin + performance.now()));
+    });
+    watch.observe(document, { subtree: true, childList: true, attributeFilter: ['data-at'] });
+  });
+  if (timed) await atRest(browser);
+  const begun = Date.now();
   const server = spawn(program, ['studio', '--no-browser', '--json', folder], { stdio: ['ignore', 'pipe', 'inherit'] });
   const address = await new Promise((resolve, reject) => {
     server.stdout.once('data', (text) => resolve(JSON.parse(text).address));
@@ -45,7 +76,9 @@ export async function openStudio(folder) {
     await browser.close();
     server.kill();
   };
-  return { page, address, faults, close, begun };
+  /** Seconds from the start of the program to a sheet that can be folded. */
+  const ready = async () => (await (await page.waitForFunction(() => window.foldable, null, { polling: 100 })).jsonValue() - begun) / 1000;
+  return { page, address, faults, close, ready, server };
 }
 
 /** @param {boolean} holds @param {string} what */
