@@ -111,7 +111,11 @@ std::string JobApi::state_text(const JobState& state) const {
     const Json text = without_folder(folder_, line);
     lines.push_back(Json::parse(text.dump(-1, ' ', false, Json::error_handler_t::replace)));
   }
-  return Json{{"job", state.number}, {"what", state.what}, {"state", state.state}, {"lines", lines}}
+  return Json{{"job", state.number},
+              {"changes", state.changes},
+              {"what", state.what},
+              {"state", state.state},
+              {"lines", lines}}
       .dump();
 }
 

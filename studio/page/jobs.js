@@ -2,15 +2,19 @@
 import { post } from './api.js';
 import { attempt, part } from './parts.js';
 
-/** @typedef {{job: number, what: string, state: string, lines: string[]}} Job */
+/** @typedef {{job: number, changes: number, what: string, state: string, lines: string[]}} Job */
 
+/** What was heard last. @type {Job} */
+let newest = { job: 0, changes: -1, what: '', state: 'none', lines: [] };
 /** @type {{number: number, ended: (job: Job) => void} | null} */
 let awaited = null;
 /** @type {Set<(job: Job) => void>} */
 const listeners = new Set();
 
-/** @param {Job} job */
-function heard(job) {
+/** Events and answers come on different ways: one may overtake the other. @param {Job} said */
+function heard(said) {
+  if (said.changes > newest.changes) newest = said;
+  const job = newest;
   const running = job.state === 'running';
   part('job').hidden = !running;
   part('job-says').textContent = `${job.what}: ${job.lines.at(-1) ?? 'beginning'}`;

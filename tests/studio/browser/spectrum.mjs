@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { expect, openStudio, pictures, program, sources } from './harness.mjs';
+import { drawn, expect, openStudio, pictures, program, sources } from './harness.mjs';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
 const material = path.join(sources, 'data_synthetic/papers/recycled_55.json');
@@ -13,6 +13,22 @@ for (const [name, size] of [['large', 1400], ['paper', 400]]) {
 const studio = await openStudio(folder);
 const { page } = studio;
 const shot = (name) => page.screenshot({ path: path.join(pictures, `${name}.png`) });
+
+/**
+ * Holds the answer to a request back until the page has heard of it by events: either may come first.
+ * @returns a function that resolves once the answer is there as well
+ */
+async function overtaken(verb, state) {
+  let give = () => {};
+  const given = new Promise((resolve) => (give = resolve));
+  await page.route(`**/api/job/${verb}`, async (route) => {
+    const answer = await route.fetch();
+    await page.waitForFunction((ends) => document.body.dataset.job === ends, state, { polling: 50, timeout: 120000 });
+    await route.fulfill({ response: answer });
+    give();
+  }, { times: 1 });
+  return () => given;
+}
 
 const choose = async (name) => {
   await page.locator('#spectrum-list button', { hasText: name }).click();
@@ -35,8 +51,9 @@ async function look() {
 }
 
 async function fit() {
+  await overtaken('fit', 'done');
   await page.click('#spectrum-fit');
-  await page.waitForSelector('#room-spectrum[data-fitted=wrinkle]', { timeout: 60000 });
+  await page.waitForSelector('#room-spectrum[data-fitted=wrinkle]', { timeout: 120000 });
   const numbers = await page.locator('#spectrum-parameters td').allTextContents();
   expect(numbers.some((text) => text.includes('±')), `the fit says how sure it is: ${numbers}`);
   expect((await page.locator('.ellipses .best').count()) > 0, 'the components are drawn');
@@ -61,12 +78,15 @@ const cancelAsSoonAsItSpeaks = () => page.evaluate(() => new Promise((resolve) =
 async function cancel() {
   await choose('large');
   expect(await page.locator('#spectrum-model').isHidden(), 'another surface has no fit yet');
+  const answered = await overtaken('cancel', 'cancelled');
   const cancelled = cancelAsSoonAsItSpeaks();
   await page.click('#spectrum-fit');
   expect(await cancelled, 'the button is there to be pressed');
   await shot('spectrum_fitting');
-  await page.waitForSelector('#job', { state: 'hidden' });
+  await answered();
+  await drawn(page);
   expect((await page.textContent('#said')).includes('cancelled'), 'it is said that the fit was cancelled');
+  expect(await page.locator('#job').isHidden(), 'an answer that comes late does not bring the work back');
   expect(await page.locator('#spectrum-model').isHidden(), 'and nothing is shown of it');
 }
 
