@@ -1,14 +1,11 @@
 #include "sheet/relaxed.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "core/error.h"
 #include "mechanics/bar_network.h"
 #include "mechanics/facet_springs.h"
-#include "sheet/arrangement.h"
-#include "sheet/plate.h"
 #include "sheet/simulate.h"
 #include "sheet/strain.h"
 
@@ -47,14 +44,8 @@ void move_by_springs(const Sheet& sheet, const StiffOptions& options, StiffSheet
   result.substeps = motion.substeps();
 }
 
-double planarity_of(const Sheet& sheet) {
-  double most = 0.0;
-  for (const Plate& plate : plates_of(sheet)) {
-    for (const Vector3d& p : plate.corners) {
-      most = std::max(most, std::abs(plate.normal.dot(p - plate.centre)));
-    }
-  }
-  return most / size_of(sheet.flat);
+double largest(const std::vector<double>& of_faces) {
+  return of_faces.empty() ? 0.0 : *std::max_element(of_faces.begin(), of_faces.end());
 }
 
 }  // namespace
@@ -72,9 +63,8 @@ StiffSheet stiffened(const Sheet& sheet, const StiffOptions& options) {
   }
   Sheet there = sheet;
   there.folded = result.places;
-  const auto strains = face_strains(there);
-  result.strain = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
-  result.planarity = planarity_of(there);
+  result.strain = largest(face_strains(there));
+  result.planarity = largest(face_planarities(there));
   return result;
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sheet/arrangement.h"
+#include "sheet/plate.h"
+
 namespace hada {
 
 std::vector<double> face_strains(const Sheet& sheet) {
@@ -20,6 +23,19 @@ std::vector<double> face_strains(const Sheet& sheet) {
     strains.push_back(most);
   }
   return strains;
+}
+
+std::vector<double> face_planarities(const Sheet& sheet) {
+  const double size = size_of(sheet.flat);
+  std::vector<double> planarities;
+  for (const Plate& plate : plates_of(sheet)) {
+    double most = 0.0;
+    for (const Eigen::Vector3d& p : plate.corners) {
+      most = std::max(most, std::abs(plate.normal.dot(p - plate.centre)));
+    }
+    planarities.push_back(most / size);
+  }
+  return planarities;
 }
 
 }  // namespace hada

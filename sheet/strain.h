@@ -10,4 +10,8 @@ namespace hada {
 /// share of that distance: 0 for paper that neither stretches nor bends.
 std::vector<double> face_strains(const Sheet& sheet);
 
+/// Of each face the largest distance of a corner from its plane, as a share of the sheet: a face
+/// may bend visibly where its lengths hardly change.
+std::vector<double> face_planarities(const Sheet& sheet);
+
 }  // namespace hada

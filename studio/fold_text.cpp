@@ -24,11 +24,10 @@ Json flat_list(const std::vector<Eigen::Vector3d>& places) {
   return numbers;
 }
 
-Json strains_json(const Sheet& sheet) {
+Json with_most(const std::vector<double>& of_faces) {
   double most = 0.0;
-  const auto strains = face_strains(sheet);
-  for (const double strain : strains) most = std::max(most, strain);
-  return {{"most", most}, {"faces", strains}};
+  for (const double value : of_faces) most = std::max(most, value);
+  return {{"most", most}, {"faces", of_faces}};
 }
 
 Json piles_json(const Stack& stack) {
@@ -38,7 +37,8 @@ Json piles_json(const Stack& stack) {
 void put_shape(Json& json, const Sheet& sheet, const Stack& stack) {
   json["vertices"] = flat_list(sheet.folded);
   json["piles"] = piles_json(stack);
-  json["strain"] = strains_json(sheet);
+  json["strain"] = with_most(face_strains(sheet));
+  json["planarity"] = with_most(face_planarities(sheet));
   Json& faces = json["faces"] = Json::array();
   for (int f = 0; f < sheet.faces(); ++f) faces.push_back(sheet.corners_of(f));
 }

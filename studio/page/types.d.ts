@@ -8,11 +8,17 @@ interface Piles {
   up: number[];
 }
 
+interface OfFaces {
+  most: number;
+  faces: number[];
+}
+
 interface Shape {
   vertices: number[];
   faces: number[][];
   piles: Piles;
-  strain: { most: number; faces: number[] };
+  strain: OfFaces;
+  planarity: OfFaces;
 }
 
 interface FoldStep {

@@ -34,14 +34,14 @@ const fragment = /* glsl */ `
   }`;
 
 // Viridis at five places: 1e-12 and below to 1e-3 and above.
-const strainColours = [0x440154, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725].map((c) => new THREE.Color(c));
+const scale = [0x440154, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725].map((c) => new THREE.Color(c));
 
-/** @param {number} strain @returns {THREE.Color} */
-function colourOfStrain(strain) {
-  const share = Math.min(1, Math.max(0, (Math.log10(Math.max(strain, 1e-15)) + 12) / 9));
-  const place = share * (strainColours.length - 1);
-  const low = Math.min(strainColours.length - 2, Math.floor(place));
-  return strainColours[low].clone().lerp(strainColours[low + 1], place - low);
+/** @param {number} value of strain or planarity @returns {THREE.Color} */
+function onScale(value) {
+  const share = Math.min(1, Math.max(0, (Math.log10(Math.max(value, 1e-15)) + 12) / 9));
+  const place = share * (scale.length - 1);
+  const low = Math.min(scale.length - 2, Math.floor(place));
+  return scale[low].clone().lerp(scale[low + 1], place - low);
 }
 
 /**
@@ -72,7 +72,8 @@ export class Paper {
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
     const outline = new THREE.LineSegments(this.lines, new THREE.LineBasicMaterial({ vertexColors: true }));
     this.group.add(new THREE.Mesh(this.faces, paper), outline);
-    this.strains = false;
+    /** What the faces are coloured by: 'strain', 'planarity', or '' for the paper itself. */
+    this.by = '';
   }
 
   /**
@@ -82,23 +83,24 @@ export class Paper {
   show(shape, state) {
     const creases = new Map(state.edges.map((edge) => [`${edge.from} ${edge.to}`, edge.crease]));
     const chosen = new Set(state.chosen);
+    const values = this.by === 'strain' || this.by === 'planarity' ? shape[this.by].faces : null;
     const corners = shape.faces.reduce((sum, face) => sum + face.length, 0);
     const triangles = filled(this.faces, ['position', 'printed', 'white'], 3 * (corners - 2 * shape.faces.length));
     const ends = filled(this.lines, ['position', 'color'], 2 * corners);
     shape.faces.forEach((face, f) => {
       const lift = shape.piles.level[f] * gap * state.side;
       const at = face.map((v) => [0, 1, 2].map((k) => shape.vertices[3 * v + k] + lift * shape.piles.up[3 * f + k]));
-      const strain = this.strains ? colourOfStrain(shape.strain.faces[f]) : null;
+      const colour = values ? onScale(values[f]) : null;
       const tint = chosen.has(f) ? 0.55 : 1;
-      const front = (strain ?? print).clone().multiplyScalar(tint).toArray();
-      const reverse = (strain ?? back).clone().multiplyScalar(tint).toArray();
+      const front = (colour ?? print).clone().multiplyScalar(tint).toArray();
+      const reverse = (colour ?? back).clone().multiplyScalar(tint).toArray();
       for (let i = 1; i + 1 < face.length; ++i) for (const k of [0, i, i + 1]) triangles(at[k], front, reverse);
       face.forEach((v, i) => {
         const next = (i + 1) % face.length, w = face[next];
         const crease = creases.get(`${v} ${w}`) ?? creases.get(`${w} ${v}`) ?? 'F';
-        const colour = (edgeColours[crease] ?? edgeColours.F).toArray();
-        ends(at[i], colour);
-        ends(at[next], colour);
+        const ink = (edgeColours[crease] ?? edgeColours.F).toArray();
+        ends(at[i], ink);
+        ends(at[next], ink);
       });
     });
     this.faces.computeBoundingSphere();

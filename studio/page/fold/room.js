@@ -71,9 +71,9 @@ class Room {
       this.overlook();
       part('fold-open').value = '';
     }));
-    part('fold-strains').addEventListener('change', () => {
-      this.paper.strains = part('fold-strains').checked;
-      part('fold-scale').hidden = !this.paper.strains;
+    part('fold-colours').addEventListener('change', () => {
+      this.paper.by = part('fold-colours').value;
+      part('fold-scale').hidden = !this.paper.by;
       if (this.state) this.show(this.state);
     });
     for (const radio of document.querySelectorAll('input[name=fold-tool], input[name=fold-line]')) {
@@ -108,9 +108,9 @@ class Room {
     this.flat.tell(state);
     this.marks.grip = this.marks.stroke = this.marks.degrees = null;
     const faces = `${state.faces.length} face${state.faces.length === 1 ? '' : 's'}`;
-    const strain = `strain ${state.strain.most < 1e-15 ? '0' : state.strain.most.toExponential(0)}`;
+    const [strain, planarity] = [state.strain, state.planarity].map(({ most }) => (most < 1e-15 ? '0' : most.toExponential(0)));
     const crossing = state.crossing_pairs > 0 ? `, ${state.crossing_pairs} pairs of faces pass through each other` : '';
-    part('fold-facts').textContent = `${faces}, ${state.flat ? 'flat' : 'in space'}, ${strain}${crossing}`;
+    part('fold-facts').textContent = `${faces}, ${state.flat ? 'flat' : 'in space'}, strain ${strain}, off their planes by ${planarity}${crossing}`;
     part('fold-export').hidden = state.log.length === 0;
     this.showShape(state);
     part('room-fold').dataset.at = String(state.at);

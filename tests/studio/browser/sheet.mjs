@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { Hand } from './hand.mjs';
-import { expect, openStudio, pictures, sources } from './harness.mjs';
+import { drawn, expect, openStudio, pictures, sources } from './harness.mjs';
 
 const studio = await openStudio(sources);
 const { page } = studio;
@@ -46,6 +46,19 @@ try {
   expect(heightOf(after) < 0.8 * heightOf(before), `it is pressed down: ${heightOf(before)} to ${heightOf(after)}`);
   expect(after.strain.most < 1e-3, `and hardly stretched: ${after.strain.most}`);
   await shot('squashed');
+  // Strain and planarity as colours.
+  const picture = async (by) => {
+    await page.selectOption('#fold-colours', by);
+    await drawn(page);
+    return (await page.locator('#fold-canvas').screenshot()).toString('base64');
+  };
+  const paper = await picture('');
+  for (const by of ['strain', 'planarity']) {
+    expect((await picture(by)) !== paper, `faces are coloured by their ${by}`);
+    expect(await page.locator('#fold-scale').isVisible(), 'and the scale is told');
+  }
+  await shot('planarity');
+  await picture('');
 
   for (const link of await page.locator('#fold-export a').all()) {
     const [file] = await Promise.all([page.waitForEvent('download'), link.click()]);
