@@ -178,8 +178,9 @@ class SpectrumRoom {
       + `${all.density[i].toPrecision(3)} ± ${all.sigma[i].toPrecision(2)} ${unit}\u2074`;
     const lines = [];
     if (around && ring !== null) {
-      const longest = around.from > 1e-12 ? `${(1 / around.from).toPrecision(3)}` : 'any length';
-      lines.push(`Ring ${Number(around.from.toPrecision(2))} to ${around.to.toPrecision(2)} cycles/${unit}, waves of ${(1 / around.to).toPrecision(3)} to ${longest} ${unit}: ${share(rings, ring)}.`);
+      const shortest = (1 / around.to).toPrecision(3);
+      const waves = around.from > 1e-12 ? `waves of ${shortest} to ${(1 / around.from).toPrecision(3)} ${unit}` : `waves longer than ${shortest} ${unit}`;
+      lines.push(`Ring ${Number(around.from.toPrecision(2))} to ${around.to.toPrecision(2)} cycles/${unit}, ${waves}: ${share(rings, ring)}.`);
     }
     if (along && sector !== null) lines.push(`Sector ${degrees(along.from).toFixed(0)}° to ${degrees(along.to).toFixed(0)}°: ${share(sectors, sector)}.`);
     part('spectrum-chosen').replaceChildren(...lines.map((line) => make('p', {}, line)));

@@ -82,7 +82,7 @@ const fragment = /* glsl */ `
       vec3 between = normalize(light + seen);
       float power = 2.0 / (roughness * roughness) - 1.0;
       float shine = gloss * (power + 8.0) / 25.0 * pow(max(dot(n, between), 0.0), power) * lit;
-      colour = vec4(srgb(base * lit * 1.25 + vec3(shine) + base * 0.03), 1.0);
+      colour = vec4(srgb(base * (0.03 + 0.97 * lit) + vec3(shine)), 1.0);
     }
   }`;
 
