@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { expect, openStudio, pictures, program } from './harness.mjs';
+import { drawn, expect, openStudio, pictures, program } from './harness.mjs';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
 const light = (slant_deg, azimuth_deg) => ({ slant_deg, azimuth_deg, strength: 1 });
@@ -37,7 +37,7 @@ async function read() {
   await page.waitForFunction(() => document.getElementById('room-capture').dataset.state === 'running');
   await done();
   await page.waitForSelector('#capture-large .sphere-mark');
-  await page.waitForTimeout(100);
+  await drawn(page);
   return circle();
 }
 

@@ -131,8 +131,8 @@ async function snail() {
     await hand.look(false);
     await hand.parts(edges, corners);
     await hand.choose('side', side);
-    await page.setChecked('#fold-stiff', stiff);
-    await page.setChecked('#fold-endless', bothWays);
+    await hand.tick('stiff', stiff);
+    await hand.tick('endless', bothWays);
     await hand.choose('layers', faces.length > 0 ? 'chosen' : 'all');
     await hand.pick('face', faces);
     await hand.pick('M', mountains);
@@ -143,8 +143,8 @@ async function snail() {
   await endsAs('snail', hornsAlongGuides);
   await shot('snail');
   await hand.choose('layers', 'all');
-  await page.uncheck('#fold-stiff');
-  await page.uncheck('#fold-endless');
+  await hand.tick('stiff', false);
+  await hand.tick('endless', false);
 }
 
 try {

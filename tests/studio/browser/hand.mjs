@@ -1,5 +1,5 @@
 // A hand on the sheet: real pointer events at places of the sheet, a few pixels off as hands are.
-import { expect } from './harness.mjs';
+import { expect, until } from './harness.mjs';
 
 const field = (28 * Math.PI) / 180;
 const distance = 3;
@@ -10,6 +10,13 @@ export class Hand {
     this.behind = false;
     this.moved = 0;
     this.middle = [0.5, 0.5];
+    this.chosen = new Map(); // what was chosen last, by name
+  }
+
+  /** Where the view lies in the window. */
+  async box() {
+    this.place ??= await this.page.locator('#fold-view').boundingBox();
+    return this.place;
   }
 
   /** Looks from above or from behind, with this place in the middle of the view. */
@@ -17,10 +24,12 @@ export class Hand {
     await this.page.click('#fold-top');
     if (behind) await this.page.click('#fold-behind');
     this.behind = behind;
-    const { vertices } = await this.state();
-    this.middle = [0, 1].map((k) => {
-      const along = vertices.filter((_, i) => i % 3 === k);
-      return (Math.min(...along) + Math.max(...along)) / 2;
+    this.middle = await this.page.evaluate(async () => {
+      const { vertices } = await (await fetch('api/fold/state')).json();
+      return [0, 1].map((k) => {
+        const along = vertices.filter((_, i) => i % 3 === k);
+        return (Math.min(...along) + Math.max(...along)) / 2;
+      });
     });
   }
 
@@ -28,8 +37,13 @@ export class Hand {
     return this.page.evaluate(async () => (await fetch('api/fold/state')).json());
   }
 
+  /** How many steps are done. */
+  async done() {
+    return Number(await this.page.getAttribute('#room-fold', 'data-at'));
+  }
+
   async at([x, y]) {
-    const box = await this.page.locator('#fold-view').boundingBox();
+    const box = await this.box();
     const scale = box.height / (2 * distance * Math.tan(field / 2));
     const side = this.behind ? -1 : 1;
     this.moved += 1; // never twice the same pixels off
@@ -42,11 +56,9 @@ export class Hand {
 
   /** Moves there and waits until the page has understood it. */
   async move(x, y) {
-    const box = await this.page.locator('#fold-view').boundingBox();
-    const seen = `${Math.round(x - box.x)} ${Math.round(y - box.y)}`;
+    const box = await this.box();
     await this.page.mouse.move(x, y);
-    await this.page.waitForFunction((text) => document.getElementById('fold-view').dataset.seen === text, seen,
-      { polling: 4, timeout: 30000 });
+    await until(this.page, '#fold-view', 'seen', `${Math.round(x - box.x)} ${Math.round(y - box.y)}`);
   }
 
   /** Draws from one place to the other. `inward`: pixels added to the start. */
@@ -61,25 +73,22 @@ export class Hand {
 
   /** A stroke that becomes a step of the log. */
   async step(from, to, inward) {
-    const { at } = await this.state();
+    const at = await this.done();
     await this.stroke(from, to, inward);
     await this.reached(at + 1);
   }
 
   async reached(at) {
-    const said = () => this.page.textContent('#said');
-    await this.page
-      .waitForFunction((n) => document.getElementById('room-fold').dataset.at === String(n), at, { polling: 10, timeout: 30000 })
-      .catch(async () => expect(false, `step ${at} is reached; the page says "${await said()}"`));
+    await until(this.page, '#room-fold', 'at', at).catch(async () =>
+      expect(false, `step ${at} is reached; the page says "${await this.page.textContent('#said')}"`));
   }
 
   /** Takes the sheet at a place and drags round the axis until it is turned by this angle. */
   async turn(place, degrees) {
-    const { at } = await this.state();
+    const at = await this.done();
     const from = await this.at(place);
     await this.move(...from);
-    await this.page.mouse.down();
-    await this.page.waitForTimeout(150); // the axis is found, the view turned
+    await this.page.mouse.down(); // moves wait until the axis is found, the view turned
     const angle = async () => parseFloat((await this.page.textContent('#fold-facts')).replace('turned by', ''));
     const tries = [];
     for (let radius = 30; radius <= 190; radius += 40) {
@@ -108,6 +117,7 @@ export class Hand {
 
   /** Clicks on places of the flat sheet. `does`: face, M or V. */
   async pick(does, places) {
+    if (places.length === 0) return;
     await this.choose('click', does);
     for (const [i, [x, y]] of places.entries()) {
       const map = await this.page.locator('#fold-flat').evaluate((view, place) => {
@@ -123,11 +133,21 @@ export class Hand {
   }
 
   async choose(name, value) {
+    if (this.chosen.get(name) === value) return;
     await this.page.check(`input[name=fold-${name}][value=${value}]`);
+    this.chosen.set(name, value);
+  }
+
+  async tick(name, wanted) {
+    if ((this.chosen.get(name) ?? false) === wanted) return;
+    await this.page.setChecked(`#fold-${name}`, wanted);
+    this.chosen.set(name, wanted);
   }
 
   async parts(edges, corners) {
-    await this.page.fill('#fold-edge-parts', String(edges));
-    await this.page.fill('#fold-corner-parts', String(corners));
+    for (const [name, count] of [['edge', edges], ['corner', corners]]) {
+      if (this.chosen.get(name) !== count) await this.page.fill(`#fold-${name}-parts`, String(count));
+      this.chosen.set(name, count);
+    }
   }
 }

@@ -85,3 +85,28 @@ export async function openStudio(folder, timed = false) {
 export function expect(holds, what) {
   if (!holds) throw new Error(`expected: ${what}`);
 }
+
+/**
+ * Waits inside the page until what an element says of itself (`data-name`) is `value`.
+ * @throws Error after half a minute
+ */
+export function until(page, selector, name, value) {
+  return page.evaluate(([what, attribute, wanted]) => new Promise((resolve, reject) => {
+    const element = document.querySelector(what);
+    const look = () => {
+      if (element.dataset[attribute] !== wanted) return;
+      watch.disconnect();
+      clearTimeout(late);
+      resolve();
+    };
+    const watch = new MutationObserver(look);
+    const late = setTimeout(() => reject(new Error(`${what} did not become ${attribute} ${wanted}, but ${element.dataset[attribute]}`)), 30000);
+    watch.observe(element, { attributes: true });
+    look();
+  }), [selector, name, String(value)]);
+}
+
+/** Resolves once what was asked for is drawn: its frame, and the one that shows it. */
+export function drawn(page) {
+  return page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+}

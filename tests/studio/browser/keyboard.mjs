@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { expect, openStudio, program, sources } from './harness.mjs';
+import { drawn, expect, openStudio, program, sources } from './harness.mjs';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
 execFileSync(program, ['synth', path.join(sources, 'data_synthetic/papers/recycled_55.json'), '--size', '64x64', '-o', path.join(folder, 'paper'), '--quiet']);
@@ -28,7 +28,7 @@ const usable = () => page.evaluate((which) => {
 async function room(name, ready) {
   await page.click(`#tab-${name}`);
   await page.waitForSelector(ready, { timeout: 60000 });
-  await page.waitForTimeout(300);
+  await drawn(page);
   const there = await usable();
   const nameless = there.filter((control) => !control.name);
   expect(nameless.length === 0, `every control has a name: ${nameless.map((c) => c.html).join('\n')}`);

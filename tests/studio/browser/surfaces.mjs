@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, symlinkSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { expect, openStudio, pictures, program, sources } from './harness.mjs';
+import { drawn, expect, openStudio, pictures, program, sources } from './harness.mjs';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
 const material = path.join(sources, 'data_synthetic/papers/recycled_55.json');
@@ -13,7 +13,7 @@ const studio = await openStudio(folder);
 const { page } = studio;
 const shot = (name) => page.screenshot({ path: path.join(pictures, `${name}.png`) });
 const seen = async (room) => {
-  await page.waitForTimeout(200); // the frame is drawn
+  await drawn(page);
   return (await page.locator(`#${room}-view canvas`).screenshot()).toString('base64');
 };
 
@@ -61,7 +61,7 @@ async function solid(name) {
     const before = await count();
     await change();
     await page.waitForFunction((n) => Number(document.getElementById('room-material').dataset.solid ?? 0) > n, before, { polling: 20, timeout: 60000 });
-    await page.waitForTimeout(300);
+    await drawn(page);
     return (await page.locator('#material-solid canvas').screenshot()).toString('base64');
   };
   const first = await shown(() => page.selectOption('#material-body', name));
