@@ -15,9 +15,10 @@ const turnedView = 0.7; // radians, where an axis lies across the view
 class Room {
   constructor() {
     this.view = /** @type {HTMLElement} */ (part('fold-view'));
+    this.size = [this.view.clientWidth, this.view.clientHeight]; // to ask each time would lay the page out
     const canvas = /** @type {HTMLCanvasElement} */ (part('fold-canvas'));
-    canvas.width = this.view.clientWidth * window.devicePixelRatio; // so that it is made once
-    canvas.height = this.view.clientHeight * window.devicePixelRatio;
+    canvas.width = this.size[0] * window.devicePixelRatio; // so that it is made once
+    canvas.height = this.size[1] * window.devicePixelRatio;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.eye = new Eye();
     this.scene = new THREE.Scene();
@@ -148,6 +149,7 @@ class Room {
   resize() {
     const [width, height] = [this.view.clientWidth, this.view.clientHeight];
     if (width === 0 || height === 0) return;
+    this.size = [width, height];
     const scale = window.devicePixelRatio;
     this.renderer.setPixelRatio(scale);
     this.renderer.setSize(width, height, false);
@@ -170,7 +172,7 @@ class Room {
   /** @param {Place} place @returns {[number, number]} */
   project(place) {
     const p = new THREE.Vector3(...place).project(this.eye.camera);
-    return [((p.x + 1) * this.view.clientWidth) / 2, ((1 - p.y) * this.view.clientHeight) / 2];
+    return [((p.x + 1) * this.size[0]) / 2, ((1 - p.y) * this.size[1]) / 2];
   }
 
   /** @param {number} x @param {number} y pixels @returns {Ray} */
