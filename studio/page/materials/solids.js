@@ -64,6 +64,7 @@ export class Solids {
     part('blade-tools').hidden = name !== 'forged';
     part('block-tools').hidden = name !== 'wood';
     part('material-flat').disabled = name !== '' && name !== 'forged';
+    for (const what of ['look', 'gloss', 'roughness']) part(`material-${what}`).disabled = name !== ''; // a blade has slopes alone
     if (name !== 'knit') part('material-scale').hidden = true;
   }
 
