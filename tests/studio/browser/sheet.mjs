@@ -1,4 +1,4 @@
-// Faces are pinned by pointer and by keys, the sheet is squashed, a folding is saved as files and as a film.
+// Lines are drawn by a finger, faces pinned by pointer and by keys, the sheet is squashed, a folding is saved as files and as a film.
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { Hand } from './hand.mjs';
@@ -16,11 +16,32 @@ const pins = async (count) => page.waitForFunction(async (n) =>
   (await (await fetch('api/fold/state')).json()).pins.length === n, count, { timeout: 10000, polling: 100 })
   .catch(() => expect(false, `there are ${count} pins`));
 
+/** One finger draws a crease; two turn the view and draw nothing. */
+async function fingers() {
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  await touch('touchStart', await hand.at([0.5, 0.004]));
+  for (const y of [0.3, 0.7, 0.996]) await touch('touchMove', await hand.at([0.5, y]));
+  await touch('touchEnd');
+  await hand.reached(1);
+  const look = async () => (await page.locator('#fold-canvas').screenshot()).toString('base64');
+  const before = await look();
+  const [a, b] = [await hand.at([0.3, 0.3]), await hand.at([0.7, 0.7])];
+  await touch('touchStart', a);
+  await touch('touchStart', a, b);
+  await touch('touchMove', [a[0] + 20, a[1]], [b[0] + 60, b[1] + 30]);
+  await touch('touchEnd');
+  await drawn(page);
+  expect((await look()) !== before, 'two fingers turn the view');
+  expect((await hand.done()) === 1, 'and draw nothing');
+  await hand.look(false);
+}
+
 try {
   await page.waitForSelector('#room-fold[data-at]');
   await hand.look(false);
   await hand.choose('line', 'score');
-  await hand.step([0.5, 0], [0.5, 1]);
+  await fingers();
   await page.check('#fold-tool-turn');
   await hand.turn([0.8, 0.5], 60);
   expect(heightOf(await hand.state()) > 0.3, 'a face stands up');
