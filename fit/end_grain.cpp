@@ -64,6 +64,7 @@ class Refinement {
 
   /// Fits pieces of rings, of which nobody says which belong together, until the pith is at rest.
   void follow_pieces() {
+    bool rejected = false;  // more lobes, which are not tried again before the pith is at rest
     for (int round = 0; round < most_rounds; ++round) {
       lay_flat(rough_rays_px);
       const auto chains = ring_chains(edges_, flat_, extent_.pitch);
@@ -73,21 +74,24 @@ class Refinement {
       const auto points = points_on(chains);
       const int count = int(chains.size());
       shape_ = fitted_shape(points, count, frame_, Scatter::relative);
+      const bool at_rest =
+          round > 0 && (shape_.frame.pith - frame_.pith).norm() < at_rest_px * extent_.pitch;
       bool richer = false;
       // What was laid flat by a guess scatters by the guess's errors.
-      if (round > 0 && level_ < highest_level && shape_.scatter > sharp_px * extent_.pitch) {
+      if (round > 0 && level_ < highest_level && shape_.scatter > sharp_px * extent_.pitch &&
+          (at_rest || !rejected)) {
         GrowthFrame frame = shape_.frame;
         frame.lobes = lobes_of(level_ + 1, flat_);
         auto better = fitted_shape(points, count, frame, Scatter::relative);
         richer = gain_of(better, shape_) > least_gain;
+        rejected = !richer;
         if (richer) {
           shape_ = std::move(better);
           ++level_;
         }
       }
-      const double moved = (shape_.frame.pith - frame_.pith).norm();
       frame_ = shape_.frame;
-      if (!richer && round > 0 && moved < at_rest_px * extent_.pitch) return;
+      if (at_rest && !richer) return;
     }
   }
 

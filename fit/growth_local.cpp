@@ -35,10 +35,12 @@ double set_growth(const GrowthFrame& frame, const Eigen::Vector2d& place, Slopes
   const double r = std::max(arm.norm(), 1e-12);
   const Eigen::Vector2d outward = arm / r, along(-outward.y(), outward.x());
   Multiples multiples(outward.x(), outward.y());
-  double factor = 1.0, by_angle = 0.0, by_radius = 0.0;
+  double factor = 1.0, by_angle = 0.0, by_radius = 0.0, share = 0.0;
   for (std::size_t l = 0; l < frame.lobes.size(); ++l) {
     const auto& lobe = frame.lobes[l];
-    const double share = share_at(lobe, r);
+    const bool as_before = l > 0 && lobe.from_mm == frame.lobes[l - 1].from_mm &&
+                           lobe.to_mm == frame.lobes[l - 1].to_mm;
+    if (!as_before) share = share_at(lobe, r);
     const auto turn = multiples(lobe.order);
     const double height = lobe.cosine * turn.real() + lobe.sine * turn.imag();
     factor += share * height;

@@ -22,13 +22,15 @@ constexpr std::size_t fewest_near = 60;  // directions that a surrounding must h
 /// Angle from the direction that `pith` and an oval make us expect to the normal that is seen.
 /// ln rho = ln r + ln f(theta): its gradient leans from the radius by atan(f' / f).
 double lean(const RingDirection& seen, const Eigen::Vector4d& state) {
-  const Eigen::Vector2d arm = seen.place - state.head<2>();
-  const double theta = std::atan2(arm.y(), arm.x());
-  const double c = std::cos(2.0 * theta), s = std::sin(2.0 * theta);
-  const double factor = 1.0 + state[2] * c + state[3] * s;
-  const double turn = std::atan2(2.0 * (state[3] * c - state[2] * s), factor);
-  const double expected = theta + turn;
-  const double cross = std::cos(expected) * seen.normal.y() - std::sin(expected) * seen.normal.x();
+  const Eigen::Vector2d outward = (seen.place - state.head<2>()).normalized();
+  const double c = outward.x() * outward.x() - outward.y() * outward.y();  // of twice the angle
+  const double s = 2.0 * outward.x() * outward.y();
+  const Eigen::Vector2d turn =
+      Eigen::Vector2d(1.0 + state[2] * c + state[3] * s, 2.0 * (state[3] * c - state[2] * s))
+          .normalized();
+  const Eigen::Vector2d expected(outward.x() * turn.x() - outward.y() * turn.y(),
+                                 outward.x() * turn.y() + outward.y() * turn.x());
+  const double cross = expected.x() * seen.normal.y() - expected.y() * seen.normal.x();
   return std::asin(std::clamp(cross, -1.0, 1.0));
 }
 

@@ -47,14 +47,16 @@ Reduced reduced(const std::vector<RingPoint>& points, int rings, const std::vect
     sums.right += weights[i] * rho[i] * slope;
   }
   sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(rows);
-  sums.normal = sums.normal.selfadjointView<Eigen::Lower>();
+  Eigen::MatrixXd means(size, rings);
   for (std::size_t ring = 0; ring < std::size_t(rings); ++ring) {
     const double w = sums.weight[ring];
     sums.mean[ring] /= w;
     sums.slope[ring] /= w;
-    sums.normal -= w * sums.slope[ring] * sums.slope[ring].transpose();
+    means.col(Eigen::Index(ring)) = std::sqrt(w) * sums.slope[ring];
     sums.right -= w * sums.mean[ring] * sums.slope[ring];
   }
+  sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(means, -1.0);
+  sums.normal = sums.normal.selfadjointView<Eigen::Lower>();
   return sums;
 }
 

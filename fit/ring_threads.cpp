@@ -19,8 +19,7 @@ bool followed(const LineField& field, const Extent& extent, Eigen::Vector2d& pla
   for (int step = 0; step < steps; ++step) {
     const Eigen::Vector2d pixel = extent.pixel(place);
     const int row = int(std::lround(pixel.x())), col = int(std::lround(pixel.y()));
-    if (!field.across.contains(row, col) || field.coherence(row, col) < least_coherence)
-      return false;
+    if (!field.contains(row, col) || field.coherence(row, col) < least_coherence) return false;
     const double across = double(field.across(row, col));
     Eigen::Vector2d along(-std::sin(across), std::cos(across));
     if (along.dot(way) < 0.0) along = -along;

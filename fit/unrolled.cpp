@@ -20,8 +20,9 @@ constexpr int most_joined = 8;      // parts of a turn: no more than one on each
 
 /// `value_at`, for the loops of this file.
 inline float sampled(const Grid<float>& map, const Mask& mask, const Eigen::Vector2d& pixel) {
-  const int row = int(std::floor(pixel.x())), col = int(std::floor(pixel.y()));
-  if (row < 0 || col < 0 || row + 1 >= map.rows() || col + 1 >= map.cols()) return nothing;
+  if (!(pixel.x() >= 0.0) || !(pixel.y() >= 0.0)) return nothing;
+  const int row = int(pixel.x()), col = int(pixel.y());  // cheaper than floor
+  if (row + 1 >= map.rows() || col + 1 >= map.cols()) return nothing;
   if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) || !mask(row + 1, col + 1))
     return nothing;
   const float v = float(pixel.x() - row), u = float(pixel.y() - col);
@@ -37,7 +38,9 @@ std::vector<double> radii_along(const Unrolled& flat, int cols, const GrowthFram
   const GrowthRay ray(frame.lobes, theta);
   double before = ray.radius_at(flat.rho(0));
   for (int col = 0; col < cols; col += stride) {
-    const double after = ray.radius_at(flat.rho(col + stride));
+    const double rho = flat.rho(col + stride);
+    const double near = flat.rho(col) > 0.0 ? before * rho / flat.rho(col) : rho;
+    const double after = ray.radius_at(rho, near);
     for (int k = 0; k < stride; ++k)
       radii[std::size_t(col + k)] = before + (after - before) * k / stride;
     before = after;
@@ -145,16 +148,18 @@ Unrolled unrolled(const Grid<float>& map, const Mask& mask, const Extent& extent
   const int cols = int((view.farthest - view.nearest) / flat.step) + 1;
   flat.values = Grid<float>(sectors, cols, nothing);
   for (int s = 0; s < sectors; ++s) flat.theta.push_back(view.low + (s + 0.5) * flat.sector_rad);
+  const Eigen::Vector2d pith_px = extent.pixel(frame.pith);
   const auto lay = [&](int s, std::vector<std::array<float, 64>>& seen, std::vector<int>& count) {
     std::fill(count.begin(), count.end(), 0);
     for (int ray = 0; ray < rays; ++ray) {
       const double theta =
           flat.theta[std::size_t(s)] + ((ray + 0.5) / rays - 0.5) * flat.sector_rad;
-      const Eigen::Vector2d direction(std::cos(theta), std::sin(theta));
+      // Pixels lie along a line, so that the frame of the picture is asked but once.
+      const Eigen::Vector2d direction =
+          extent.pixel(frame.pith + Eigen::Vector2d(std::cos(theta), std::sin(theta))) - pith_px;
       const auto radii = radii_along(flat, cols, frame, theta);
       for (int col = 0; col < cols; ++col) {
-        const float value =
-            sampled(map, mask, extent.pixel(frame.pith + radii[std::size_t(col)] * direction));
+        const float value = sampled(map, mask, pith_px + radii[std::size_t(col)] * direction);
         auto& n = count[std::size_t(col)];
         if (value == value) seen[std::size_t(col)][std::size_t(n++)] = value;
       }

@@ -4,11 +4,18 @@
 
 namespace hada {
 
-/// Which way the lines of a picture run, and how clearly, pixel by pixel.
+/// Which way the lines of a picture run, and how clearly: the structure tensor of every pixel, all
+/// of it 0 where nothing is known.
 struct LineField {
-  Grid<float> across;     // direction of strongest change, counter-clockwise from +x, [0, pi)
-  Grid<float> coherence;  // 0: no direction, 1: all change is along one direction
-  Grid<float> strength;   // root mean square gradient, per px; 0 where nothing is known
+  Grid<float> xx, xy, yy;  // means of products of the gradient, per px^2
+
+  bool contains(int row, int col) const { return xx.contains(row, col); }
+  /// Direction of strongest change, counter-clockwise from +x, [0, pi).
+  float across(int row, int col) const;
+  /// 0: no direction, 1: all change is along one direction.
+  float coherence(int row, int col) const;
+  /// Root mean square gradient, per px; 0 where nothing is known.
+  float strength(int row, int col) const;
 };
 
 struct LineFieldOptions {

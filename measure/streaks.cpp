@@ -36,13 +36,16 @@ Texture texture_of(const Grid<float>& map, const Mask& mask) {
   if (!(deviation > 0.0f)) return {texture.values, Mask(map.rows(), map.cols(), 0)};
   for (float& value : texture.values) value = std::clamp(value / deviation, -most, most);
   const auto lines = line_field(map, mask, {.gradient_px = line_px, .window_px = 1.5});
+  const auto strength_at = [&](std::size_t i) {
+    return lines.strength(int(i) / map.cols(), int(i) % map.cols());
+  };
   std::vector<float> strengths;
   for (std::size_t i = 0; i < map.size(); i += 7) {
-    if (lines.strength[i] > 0.0f) strengths.push_back(lines.strength[i]);
+    if (strength_at(i) > 0.0f) strengths.push_back(strength_at(i));
   }
   const float strong = strengths.empty() ? 0.0f : float(strong_line) * median(strengths);
   for (std::size_t i = 0; i < map.size(); ++i) {
-    if (!(lines.strength[i] > 0.0f) || lines.strength[i] > strong) texture.counts[i] = 0;
+    if (!(strength_at(i) > 0.0f) || strength_at(i) > strong) texture.counts[i] = 0;
   }
   return texture;
 }

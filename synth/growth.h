@@ -66,9 +66,10 @@ T effective_radius(const std::vector<GrowthLobe<T>>& lobes, const T& r, const T&
 class GrowthRay {
  public:
   GrowthRay(const std::vector<GrowthLobe<>>& lobes, double theta) {
+    std::vector<Turn> turns;  // an order comes again in lobes of other reach
     for (const auto& lobe : lobes) {
-      const double angle = lobe.order * theta;
-      const double height = lobe.cosine * std::cos(angle) + lobe.sine * std::sin(angle);
+      const Turn& turn = turn_of(lobe.order, theta, turns);
+      const double height = lobe.cosine * turn.cosine + lobe.sine * turn.sine;
       if (bulges_.empty() || bulges_.back().from_mm != lobe.from_mm ||
           bulges_.back().to_mm != lobe.to_mm) {
         bulges_.push_back(lobe);
@@ -85,8 +86,9 @@ class GrowthRay {
   }
 
   /// The distance from the pith at which the effective radius is `rho`.
-  double radius_at(double rho) const {
-    double r = rho;
+  double radius_at(double rho) const { return radius_at(rho, rho); }
+  /// The same, found sooner if `r` is near it.
+  double radius_at(double rho, double r) const {
     for (int round = 0; round < 20; ++round) {
       const double next = r > 0.0 ? rho * r / effective_radius(r) : 0.0;
       if (std::abs(next - r) <= 1e-7 * rho) return next;
@@ -96,6 +98,17 @@ class GrowthRay {
   }
 
  private:
+  struct Turn {
+    double order, cosine, sine;
+  };
+
+  static const Turn& turn_of(double order, double theta, std::vector<Turn>& turns) {
+    for (const Turn& turn : turns) {
+      if (turn.order == order) return turn;
+    }
+    return turns.emplace_back(Turn{order, std::cos(order * theta), std::sin(order * theta)});
+  }
+
   std::vector<GrowthLobe<>> bulges_;
 };
 

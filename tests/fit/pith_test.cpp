@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "core/field.h"
 #include "core/random.h"
 
 namespace hada {
@@ -15,16 +14,19 @@ constexpr Extent extent{.rows = 300, .cols = 400, .pitch = 0.1, .unit = Unit::mm
 
 /// Rings around `pith` with noise of 3 degrees, every tenth direction wild.
 PithGuess guess_of(const Eigen::Vector2d& pith, Seed seed) {
-  Grid<float> across(extent.rows, extent.cols), coherence(extent.rows, extent.cols, 0.9f);
+  Grid<float> none(extent.rows, extent.cols);
+  LineField field{none, none, none};
   for (int row = 0; row < extent.rows; ++row) {
     for (int col = 0; col < extent.cols; ++col) {
       const Eigen::Vector2d arm = extent.place(row, col) - pith;
       double angle = std::atan2(arm.y(), arm.x()) + 0.05 * gaussian(seed, row, col);
       if (uniform(seed + 1, row, col) < 0.1) angle = 3.14 * uniform(seed + 2, row, col);
-      across(row, col) = float(half_turn(angle));
+      constexpr double coherence = 0.9;
+      field.xx(row, col) = float(0.5 * (1.0 + coherence * std::cos(2.0 * angle)));
+      field.yy(row, col) = float(0.5 * (1.0 - coherence * std::cos(2.0 * angle)));
+      field.xy(row, col) = float(0.5 * coherence * std::sin(2.0 * angle));
     }
   }
-  const LineField field{across, coherence, Grid<float>(extent.rows, extent.cols, 1.0f)};
   return pith_guess(ring_directions(field, extent), extent);
 }
 
