@@ -73,6 +73,17 @@ double wander_of(const std::vector<FaceScatter>& faces) {
   return scatters.empty() ? 0.0 : median(std::move(scatters));
 }
 
+/// Lets rings begin where their rise does; where that is not known, others may draw them anywhere
+/// within it.
+void begin_rings(GrowthSolid& solid, const RingRise& rise, double wander, double pitch) {
+  const RingOnset onset = onset_of(rise, solid.radii);
+  for (std::size_t k = 0; k < solid.radii.size(); ++k) {
+    solid.radii[k] -= onset.before[k];
+    const double boundary = rise.share > 0.0 ? onset.sigma[k] : boundary_px * pitch;
+    solid.radii_loose.push_back(std::hypot(boundary, wander));
+  }
+}
+
 /// What a material can say of `solid`; ripples are left out.
 void set_solid(Fit<Wood<>>& fit, const GrowthSolid& solid) {
   const Eigen::VectorXd sigma = solid.covariance.diagonal().cwiseSqrt();
@@ -135,8 +146,10 @@ BlockFit fit_block(const std::vector<PlacedFace>& faces) {
   const Followed followed = followed_rings(views, start, prior, block.mark, grain.shape.scatter);
   block.solid = followed.solid;
   block.faces = followed.faces;
-  block.solid.radii_loose.assign(block.solid.radii.size(),
-                                 std::hypot(boundary_px * pitch, wander_of(block.faces)));
+  block.solid.radii_loose.clear();
+  // A dark line of pores has no rise.
+  const RingRise rise = block.mark == RingMark::line ? RingRise{} : grain.rise;
+  begin_rings(block.solid, rise, wander_of(block.faces), pitch);
   set_solid(block.wood, block.solid);
   add_turning(block.wood, block.solid, faces);
   return block;

@@ -123,9 +123,11 @@ class Refinement {
     shape_ = fitted_shape(points_on(rings), int(rings.size()), frame_,
                           level_ == 0 ? Scatter::even : Scatter::relative);
     frame_ = shape_.frame;
+    rise_ = ring_rise(rings, shape_.radii, flat_);
   }
 
   const RingShape& shape() const { return shape_; }
+  const RingRise& rise() const { return rise_; }
   const std::vector<double>& seen_share() const { return seen_share_; }
   int level() const { return level_; }
 
@@ -157,6 +159,7 @@ class Refinement {
   Unrolled flat_;
   std::vector<std::vector<RingEdge>> edges_;
   RingShape shape_;
+  RingRise rise_;
   std::vector<double> seen_share_;
   int level_ = 0;
 };
@@ -192,6 +195,7 @@ EndGrain end_grain(const Surface& surface) {
   refinement.settle_rings();
   refinement.settle_rings();
   grain.shape = refinement.shape();
+  grain.rise = refinement.rise();
   grain.level = refinement.level();
   grain.seen_share = refinement.seen_share();
   const Eigen::Vector2d pith_px = extent.pixel(grain.shape.frame.pith);

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "core/surface.h"
+#include "fit/ring_rise.h"
 #include "fit/ring_shape.h"
 
 namespace hada {
 
 /// What an end grain says of the stem it was cut from.
 struct EndGrain {
-  RingShape shape;                 // pith, lobes, radii of the rings and how sure they are
+  RingShape shape;                 // pith, lobes, radii to the middle of a rise; how sure they are
+  RingRise rise;                   // at the boundaries
   Mask wood;                       // the picture without a plain background
   int level = 0;                   // of its lobes: 0 the same at every radius, 4 the most varied
   bool pith_inside = false;        // the picture

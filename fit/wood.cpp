@@ -59,6 +59,17 @@ void set_shape(Fit<Wood<>>& fit, const EndGrain& grain, double pitch) {
   }
 }
 
+/// Moves radii from the middle of the rise to where the new ring begins.
+void begin_rings(Fit<Wood<>>& fit, const RingRise& rise) {
+  auto& radii = fit.material.ring_radii_mm;
+  auto& sigma = fit.sigma.ring_radii_mm;
+  const RingOnset onset = onset_of(rise, radii);
+  for (std::size_t k = 0; k < radii.size(); ++k) {
+    radii[k] -= onset.before[k];
+    sigma[k] = std::hypot(sigma[k], onset.sigma[k]);
+  }
+}
+
 void set_colours(Fit<Wood<>>& fit, const Surface& surface, const EndGrain& grain) {
   const auto [found, sigma] =
       ring_colours(surface, grain.wood, grain.shape.frame, fit.material.ring_radii_mm);
@@ -213,7 +224,9 @@ Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options) {
     add(fit.remarks, remarks_on(grain));
     return fit;
   }
-  Fit<Wood<>> fit = wood_of(end_grain(surface), surface);
+  const EndGrain grain = end_grain(surface);
+  Fit<Wood<>> fit = wood_of(grain, surface);
+  begin_rings(fit, grain.rise);
   if (options.face) {
     add_face(fit, face_grain(*options.face));
   } else {

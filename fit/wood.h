@@ -35,8 +35,8 @@ Fit<Wood<>> fit_wood(const Surface& surface, const WoodFitOptions& options = {})
 /// Writes into `fit` how fibres lean on a tangential face that is seen from outside.
 void add_face(Fit<Wood<>>& fit, const FaceGrain& grain);
 
-/// The same of an end grain that has been read already: `grain` is what `end_grain` says of
-/// `surface`.
+/// What an end grain that has been read already says, `grain` of `surface`; rings reach to the
+/// middle of their rise, not to where it begins as those of `fit_wood` do.
 Fit<Wood<>> wood_of(const EndGrain& grain, const Surface& surface);
 
 }  // namespace hada
