@@ -21,8 +21,10 @@ int main(int count, char** words) {
   if (std::filesystem::exists(data / "wood" / "disc")) {
     const auto s = hada::score_disc(data / "wood" / "disc");
     std::printf(
-        "disc F02b: pith %.2f %% of R, %d of %d rings within 6 px, radius %.2f px, %.1f s\n",
-        100.0 * s.pith_share, s.found, s.rings, s.radius_px, s.seconds);
+        "disc F02b: pith %.2f %% of R, %d of %d rings within 6 px (%d of %d that were followed), "
+        "radius %.2f px, %.1f s of a core\n",
+        100.0 * s.pith_share, s.found, s.rings, s.followed_found, s.followed, s.radius_px,
+        s.seconds);
   }
   for (const auto& s : hada::left_out_faces(data / "wood" / "block_CN03")) {
     std::printf(
@@ -47,9 +49,19 @@ int main(int count, char** words) {
   std::printf("slice of 2048^2 pixels: %.2f s of one core\n", hada::seconds_of_a_slice());
   if (seeds < 1) return 0;
   const auto s = hada::study_stems(seeds);
-  std::printf("%d made stems: pith %.4f %% of R, radii %.3f px rms, F1 %.4f, coverage %.1f %%\n",
-              seeds, 100.0 * s.pith_share, s.radii_px, s.f1, 100.0 * s.coverage);
-  std::printf("made faces: spiral %.4f, wave amplitude %.2f %%, length %.2f %%, coverage %.1f %%\n",
-              s.spiral, 100.0 * s.wave_amplitude, 100.0 * s.wave_length, 100.0 * s.face_coverage);
+  std::printf(
+      "%d made stems: pith %.4f %% of R, radii %.3f px rms, F1 %.4f, coverage %.1f %% (pith %.1f, "
+      "lobes %.1f, "
+      "radii %.1f)\n",
+      seeds, 100.0 * s.pith_share, s.radii_px, s.f1, 100.0 * s.coverage, 100.0 * s.pith_coverage,
+      100.0 * s.lobe_coverage, 100.0 * s.radii_coverage);
+  std::printf(
+      "made faces: spiral %.4f, wave amplitude %.2f %%, length %.2f %%, coverage %.1f %% (%.1f, "
+      "%.1f, %.1f)\n",
+      s.spiral, 100.0 * s.wave_amplitude, 100.0 * s.wave_length, 100.0 * s.face_coverage,
+      100.0 * s.gradient_coverage, 100.0 * s.amplitude_coverage, 100.0 * s.length_coverage);
+  const auto i = hada::study_interlock(seeds);
+  std::printf("interlocked faces: %d of %d told, period %.2f %%, coverage %.0f %%\n", i.told,
+              i.faces, 100.0 * i.period, 100.0 * i.coverage);
   return 0;
 }

@@ -118,6 +118,10 @@ struct Tally {
     ++asked;
     if (std::abs(error) <= ninety * sigma) ++held;
   }
+  void add(const Tally& other) {
+    held += other.held;
+    asked += other.asked;
+  }
   double share() const { return asked > 0 ? double(held) / asked : 0.0; }
 };
 
@@ -148,7 +152,7 @@ BlockScore score_block(const std::filesystem::path& folder, const char* name) {
 StemScore study_stems(int seeds) {
   const Extent extent{420, 460, 0.1, Unit::mm};
   std::vector<double> pith, radii, spiral, amplitude, length;
-  Tally end, face;
+  Tally pith_tally, lobe_tally, radii_tally, gradient_tally, amplitude_tally, length_tally;
   double found = 0.0, asked = 0.0, given = 0.0;
   for (int k = 0; k < seeds; ++k) {
     const Seed seed = Seed(1000 + k);
@@ -162,15 +166,16 @@ StemScore study_stems(int seeds) {
              double(matched(fit.material, fit.sigma, all, 0.4).errors.size());
     for (std::size_t i = 0; i < sure.errors.size(); ++i) {
       radii.push_back(sure.errors[i] * sure.errors[i] / (extent.pitch * extent.pitch));
-      end.add(sure.errors[i], sure.sigma[i]);
+      radii_tally.add(sure.errors[i], sure.sigma[i]);
     }
     const Eigen::Vector2d off(fit.material.pith_mm[0] - wood.pith_mm[0],
                               fit.material.pith_mm[1] - wood.pith_mm[1]);
     pith.push_back(off.norm() / all.back());
     for (std::size_t i = 0; i < 2; ++i) {
-      end.add(off[Eigen::Index(i)], fit.sigma.pith_mm[i]);
-      end.add(fit.material.lobes[i].cosine - wood.lobes[i].cosine, fit.sigma.lobes[i].cosine);
-      end.add(fit.material.lobes[i].sine - wood.lobes[i].sine, fit.sigma.lobes[i].sine);
+      pith_tally.add(off[Eigen::Index(i)], fit.sigma.pith_mm[i]);
+      lobe_tally.add(fit.material.lobes[i].cosine - wood.lobes[i].cosine,
+                     fit.sigma.lobes[i].cosine);
+      lobe_tally.add(fit.material.lobes[i].sine - wood.lobes[i].sine, fit.sigma.lobes[i].sine);
     }
 
     wood.cut_origin_mm = {90.0, 0.0, 0.0};  // so far out that the face is flat to the rings
@@ -185,9 +190,10 @@ StemScore study_stems(int seeds) {
     spiral.push_back(std::abs(lean.material.spiral - wood.spiral));
     amplitude.push_back(std::abs(lean.material.wave_amplitude / wood.wave_amplitude - 1.0));
     length.push_back(std::abs(lean.material.wave_length_mm / wood.wave_length_mm - 1.0));
-    face.add(lean.material.spiral - wood.spiral, lean.sigma.spiral);
-    face.add(lean.material.wave_amplitude - wood.wave_amplitude, lean.sigma.wave_amplitude);
-    face.add(lean.material.wave_length_mm - wood.wave_length_mm, lean.sigma.wave_length_mm);
+    gradient_tally.add(lean.material.spiral - wood.spiral, lean.sigma.spiral);
+    amplitude_tally.add(lean.material.wave_amplitude - wood.wave_amplitude,
+                        lean.sigma.wave_amplitude);
+    length_tally.add(lean.material.wave_length_mm - wood.wave_length_mm, lean.sigma.wave_length_mm);
   }
   StemScore score;
   score.pith_share = median(pith);
@@ -196,11 +202,56 @@ StemScore study_stems(int seeds) {
   score.radii_px = std::sqrt(sum);
   const double recall = found / asked, precision = asked / given;
   score.f1 = 2.0 * recall * precision / (recall + precision);
-  score.coverage = end.share();
+  score.pith_coverage = pith_tally.share();
+  score.lobe_coverage = lobe_tally.share();
+  score.radii_coverage = radii_tally.share();
+  for (const Tally* part : {&pith_tally, &lobe_tally}) radii_tally.add(*part);
+  score.coverage = radii_tally.share();
   score.spiral = median(spiral);
   score.wave_amplitude = median(amplitude);
   score.wave_length = median(length);
-  score.face_coverage = face.share();
+  score.gradient_coverage = gradient_tally.share();
+  score.amplitude_coverage = amplitude_tally.share();
+  score.length_coverage = length_tally.share();
+  for (const Tally* part : {&amplitude_tally, &length_tally}) gradient_tally.add(*part);
+  score.face_coverage = gradient_tally.share();
+  return score;
+}
+
+InterlockScore study_interlock(int seeds) {
+  const Extent extent{300, 900, 0.1, Unit::mm};
+  constexpr double far_mm = 600.0;  // so that rings run nearly straight over the face
+  InterlockScore score;
+  std::vector<double> errors;
+  Tally tally;
+  for (int k = 0; k < seeds; ++k) {
+    const Seed seed = Seed(5000 + k);
+    auto wood = stem(seed);
+    const double width = 1.6 + 1.2 * uniform(seed, 30), slant = 0.4 + 0.2 * uniform(seed, 31);
+    wood.pith_mm = {0.0, 0.0};
+    wood.lobes.clear();
+    wood.ring_radii_mm.clear();
+    for (double radius = width; radius < far_mm + 100.0; radius += width)
+      wood.ring_radii_mm.push_back(radius);
+    wood.interlock_amplitude = 0.1 + 0.1 * uniform(seed, 32);
+    wood.interlock_period = (10.0 + 6.0 * uniform(seed, 33)) / width;
+    wood.interlock_phase_rad = 6.28 * uniform(seed, 34);
+    wood.fibre_shift = 0.25;
+    wood.cut_origin_mm = {far_mm, 0.0, 0.0};
+    wood.cut_right = {slant, 1.0, 0.0};
+    wood.cut_up = {0.0, 0.0, 1.0};
+    const auto fit = fit_wood(picture(wood, extent, seed), {.view = WoodView::face});
+    ++score.faces;
+    if (!(fit.material.interlock_amplitude > 0.0)) continue;
+    ++score.told;
+    // A face alone gives the period along it, mm.
+    const double rings = slant / std::hypot(slant, 1.0) / width;
+    const double error = fit.material.interlock_period * rings - wood.interlock_period;
+    errors.push_back(std::abs(error) / wood.interlock_period);
+    tally.add(error, fit.sigma.interlock_period * rings);
+  }
+  score.period = errors.empty() ? HUGE_VAL : median(errors);
+  score.coverage = tally.share();
   return score;
 }
 

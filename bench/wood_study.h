@@ -22,17 +22,29 @@ BlockScore score_block(const std::filesystem::path& folder, const char* name);
 /// Made stems of random pith, lobes and ring widths, looked at three times coarser than drawn, with
 /// noise and 8 bits.
 struct StemScore {
-  double pith_share = 0.0;      // median over stems: error over the largest radius seen
-  double radii_px = 0.0;        // root mean square error of the rings
-  double f1 = 0.0;              // harmonic mean of recall and precision
-  double coverage = 0.0;        // of 90 % intervals of pith, lobes and radii
+  double pith_share = 0.0;  // median over stems: error over the largest radius seen
+  double radii_px = 0.0;    // root mean square error of the rings
+  double f1 = 0.0;          // harmonic mean of recall and precision
+  double coverage = 0.0;    // of 90 % intervals of pith, lobes and radii
+  double pith_coverage = 0.0, lobe_coverage = 0.0, radii_coverage = 0.0;
   double spiral = 0.0;          // median error of the gradient of made faces
   double wave_amplitude = 0.0;  // median relative errors
   double wave_length = 0.0;
   double face_coverage = 0.0;  // of 90 % intervals of gradient, amplitude and length
+  double gradient_coverage = 0.0, amplitude_coverage = 0.0, length_coverage = 0.0;
 };
 
 StemScore study_stems(int seeds);
+
+/// Made faces of interlocked grain, evenly wide rings far from the pith, cut across them at an
+/// angle.
+struct InterlockScore {
+  int faces = 0, told = 0;  // of these: told from straight and wavy grain
+  double period = 0.0;      // median relative error
+  double coverage = 0.0;    // of its 90 % intervals
+};
+
+InterlockScore study_interlock(int seeds);
 
 /// Vessels of made end grains, diffuse-porous and ring-porous in turn, drawn twice finer, with
 /// noise and 8 bits; medians of relative errors.
