@@ -6,9 +6,8 @@ namespace hada {
 namespace {
 
 constexpr float iron[3] = {0.56f, 0.57f, 0.58f};  // reflectance of iron at normal incidence
-constexpr float dark_grain =
-    0.75f;  // share that the darkest grain takes: the paper shows the picture itself
-constexpr float hardened_bright = 1.4f;  // as polishing whitens it
+constexpr float dark_grain = 0.75f;               // share that the darkest grain takes from it
+constexpr float hardened_bright = 1.4f;           // as polishing whitens it
 
 /// The etched grain of the picture of one side, in waves if asked for: 0 to 1.
 Grid<float> grain_of(const Forged<>& forged, const AyasugiShape& shape, int rows, int cols,
