@@ -32,12 +32,13 @@ async function room(name, ready) {
   const there = await usable();
   const nameless = there.filter((control) => !control.name);
   expect(nameless.length === 0, `every control has a name: ${nameless.map((c) => c.html).join('\n')}`);
-  const reached = new Set();
   await page.focus(`#tab-${name}`);
-  for (let i = 0; i < there.length + 5; ++i) {
-    reached.add(await page.evaluate(() => document.activeElement?.dataset?.reach ?? ''));
-    await page.keyboard.press('Tab');
-  }
+  await page.evaluate(() => {
+    window.reached = [document.activeElement?.dataset?.reach];
+    document.addEventListener('focusin', ({ target }) => window.reached.push(target.dataset.reach));
+  });
+  for (let i = 0; i < there.length + 5; ++i) await page.keyboard.press('Tab');
+  const reached = new Set(await page.evaluate(() => window.reached));
   const missed = there.filter((control) => !reached.has(control.mark));
   expect(missed.length === 0, `Tab reaches every control of ${name}: ${missed.map((c) => c.html).join('\n')}`);
   console.log(`${name}: ${there.length} controls, all named and reached`);

@@ -7,7 +7,7 @@ import { drawn, expect, openStudio, pictures, program, sources } from './harness
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hada-browser-'));
 const material = path.join(sources, 'data_synthetic/papers/recycled_55.json');
-for (const [name, size] of [['large', 1400], ['paper', 400]]) {
+for (const [name, size] of [['paper', 400], ['wide', 900]]) {
   execFileSync(program, ['synth', material, '--size', `${size}x${size}`, '-o', path.join(folder, name), '--quiet']);
 }
 const studio = await openStudio(folder);
@@ -76,7 +76,7 @@ const cancelAsSoonAsItSpeaks = () => page.evaluate(() => new Promise((resolve) =
 }));
 
 async function cancel() {
-  await choose('large');
+  await choose('wide');
   expect(await page.locator('#spectrum-model').isHidden(), 'another surface has no fit yet');
   const answered = await overtaken('cancel', 'cancelled');
   const cancelled = cancelAsSoonAsItSpeaks();
