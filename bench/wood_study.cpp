@@ -220,7 +220,7 @@ StemScore study_stems(int seeds) {
 
 InterlockScore study_interlock(int seeds) {
   const Extent extent{300, 900, 0.1, Unit::mm};
-  constexpr double far_mm = 600.0;  // so that rings run nearly straight over the face
+  constexpr double far_mm = 2500.0;  // so that rings run nearly straight over the face
   InterlockScore score;
   std::vector<double> errors;
   Tally tally;
