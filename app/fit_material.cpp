@@ -84,6 +84,8 @@ MaterialFile fit_material(const std::string& name, const Surface& surface,
         file.goodness_p = fit.goodness_p;
         file.runner_up_gap = fit.runner_up_gap;
         file.on_bound = fit.on_bound;
+        for (const auto& [path, low, high] : fit.intervals)
+          file.intervals.push_back({path, low, high});
         file.starts = fit.starts;
         file.agreeing = fit.agreeing;
         file.remarks = fit.remarks;

@@ -78,6 +78,10 @@ void read_record(const Json& json, JsonObject& object, MaterialFile& file) {
   try {
     if (object.has("on_bound")) json["on_bound"].get_to(file.on_bound);
     if (object.has("remarks")) json["remarks"].get_to(file.remarks);
+    if (object.has("intervals")) {
+      for (const auto& [path, ends] : json["intervals"].items())
+        file.intervals.push_back({path, ends.at(0), ends.at(1)});
+    }
     if (object.has("kinds")) {
       for (const auto& [kind, probability] : json["kinds"].items()) {
         file.kinds.emplace_back(kind, probability.get<double>());
@@ -199,6 +203,7 @@ std::string material_text(const MaterialFile& file) {
     json["starts"] = file.starts;
     json["agreeing"] = file.agreeing;
   }
+  for (const auto& [path, low, high] : file.intervals) json["intervals"][path] = {low, high};
   if (std::isfinite(file.runner_up_gap)) json["runner_up_gap"] = file.runner_up_gap;
   for (const auto& choice : file.choices)
     json["choices"].push_back({{"words", choice.words}, {"probability", choice.probability}});

@@ -30,6 +30,12 @@ struct MaterialFile {
   double goodness_p = std::numeric_limits<double>::quiet_NaN();
   double runner_up_gap = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> on_bound;
+  /// A parameter near a bound is in here with 95 %, where its sigma says little.
+  struct Interval {
+    std::string path;
+    double low, high;
+  };
+  std::vector<Interval> intervals;
   int starts = 0;
   int agreeing = 0;
   /// Words that the data leave open: those of each choice cannot be told apart. Likeliest first.

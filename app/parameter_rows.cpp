@@ -46,9 +46,15 @@ std::vector<ParameterRow> parameter_rows(const MaterialFile& file) {
           const auto found = sigma.find(name);
           const bool on_bound =
               std::find(file.on_bound.begin(), file.on_bound.end(), name) != file.on_bound.end();
-          const std::string number = on_bound || found == sigma.end()
-                                         ? fmt::format("{:.4g}", value)
-                                         : with_sigma(value, found->second);
+          std::string number = on_bound || found == sigma.end() ? fmt::format("{:.4g}", value)
+                                                                : with_sigma(value, found->second);
+          const auto interval =
+              std::find_if(file.intervals.begin(), file.intervals.end(),
+                           [&](const MaterialFile::Interval& one) { return one.path == name; });
+          if (interval != file.intervals.end()) {
+            number = fmt::format("{:.4g} (95 %: {:.3g} to {:.3g})", value, interval->low,
+                                 interval->high);
+          }
           rows.push_back({name, number, in_the_unit(std::string(field.unit), file),
                           std::string(field.meaning) + (on_bound ? " (on its bound)" : "")});
         });

@@ -10,7 +10,7 @@ namespace hada {
 /// A parameter of a material file as a person reads it.
 struct ParameterRow {
   std::string name;     // path of the field or word
-  std::string number;   // "0.313 ± 0.035"; without a sigma where that means nothing
+  std::string number;   // "0.313 ± 0.035", or with its 95 % interval; alone where neither is told
   std::string unit;     // of the surface it was fitted to: "mm", or "px" for "mm"
   std::string meaning;  // with a note where the fit ended on a bound
 };

@@ -61,6 +61,7 @@ Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, const Fit<Wrinkle<>>& fi
   const int count = int(cells.size());
   const auto distances = log_distances(cells, seen.spectrum.independence);
   Fit<Wrinkle<>> fit = first;
+  fit.intervals.clear();
   Ending best;
   const int fewest = int(first.material.components.size());
   for (int k = fewest; k <= (components > 0 ? components : most_components); ++k) {

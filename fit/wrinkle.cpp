@@ -15,11 +15,12 @@
 namespace hada {
 namespace {
 
-constexpr double least_goodness = 1e-3;  // p below which a person is told
-constexpr double same_rough_cost = 0.5;  // of starts that are on the way to the same place
-constexpr double same_share = 0.02;      // by which the fields of one and the same end may differ
-constexpr int most_groups = 4;           // of starts that are worth the whole spectrum
-constexpr double visible_floor = 0.3;    // share of the lowest power
+constexpr double widest_share = 1.0 / 7.0;  // of the map, whose length its spectrum can tell
+constexpr double least_goodness = 1e-3;     // p below which a person is told
+constexpr double same_rough_cost = 0.5;     // of starts that are on the way to the same place
+constexpr double same_share = 0.02;    // by which the fields of one and the same end may differ
+constexpr int most_groups = 4;         // of starts that are worth the whole spectrum
+constexpr double visible_floor = 0.3;  // share of the lowest power
 
 /// A wrinkle that explains as many components one after the other, each where most is left over.
 Wrinkle<> grown(int components, const Observation& seen) {
@@ -128,8 +129,14 @@ Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation&
   return fit;
 }
 
-std::vector<std::string> remarks_on(const Fit<Wrinkle<>>& fit) {
+std::vector<std::string> remarks_on(const Fit<Wrinkle<>>& fit, const Extent& extent) {
   std::vector<std::string> remarks;
+  const auto& longest = fit.material.components.front();
+  if (longest.long_mm > widest_share * std::min(extent.width(), extent.height())) {
+    remarks.push_back(
+        "The longest wrinkles reach across the map: read the sigma and the interval of their "
+        "length as too small.");
+  }
   for (const auto& path : fit.on_bound) {
     remarks.push_back(path == "floor_mm4"
                           ? "No noise floor can be seen; floor_mm4 lies on its lower bound."
@@ -197,7 +204,8 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
   if (picture && best.goodness_p < least_goodness)
     best = closest_wrinkle(seen, best, options.components);
   best.remarks = seen.remarks;
-  for (auto& remark : remarks_on(best)) best.remarks.push_back(std::move(remark));
+  for (auto& remark : remarks_on(best, seen.spectrum.extent))
+    best.remarks.push_back(std::move(remark));
   forget_ridges(best);
   RidgeEvidence ridges;
   if (options.ridges) ridges = add_ridges(best, surface, options.progress);

@@ -15,13 +15,14 @@ constexpr int ridge_fields = 3;
 int spectral_fields(const Wrinkle<>& wrinkle);
 
 /// `fit` moved to where the whole spectrum and the exact window want it, and its uncertainty.
-void refine(Fit<Wrinkle<>>& fit, const Observation& seen);
+/// returns  the cells that it was refined on
+std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen);
 
 /// Whether every component is known to be there: its amplitude is above its sigma.
 bool all_told(const Fit<Wrinkle<>>& fit);
 
-/// `best` refined, or the largest of `fewer` that is told when refined: what paid among the few
-/// cells that all starts look at may be nothing in the whole spectrum.
+/// `best` refined, with intervals near bounds, or the largest of `fewer` that is told when refined:
+/// what paid among the few cells that all starts look at may be nothing in the whole spectrum.
 ///
 /// fewer  the best fit of each smaller number of components, in rising order
 Fit<Wrinkle<>> refined_and_told(Fit<Wrinkle<>> best, std::vector<Fit<Wrinkle<>>> fewer,

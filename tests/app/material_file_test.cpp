@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/parameter_rows.h"
 #include "app/part_order.h"
 #include "core/error.h"
 #include "program.h"
@@ -13,6 +14,7 @@ MaterialFile fitted() {
   MaterialFile file;
   file.material = Wrinkle<>{.components = {{0.2, 5.0, 2.0, 0.7}, {0.1, 3.0, 1.0, 2.9}}};
   file.sigma = Wrinkle<>{.components = {{0.01, 0.2, 0.1, 0.02}, {0.0, 0.0, 0.0, 0.0}}};
+  file.intervals = {{"components[1].long_mm", 2.0, 7.5}};
   file.goodness_p = 0.4;
   file.starts = 8;
   file.agreeing = 5;
@@ -32,6 +34,9 @@ TEST(MaterialFile, ReadsWhatItWrote) {
   ASSERT_TRUE(read.sigma);
   EXPECT_EQ(values_of(*read.sigma), values_of(*fitted().sigma));
   EXPECT_EQ(material_text(read), material_text(fitted()));
+  ASSERT_EQ(read.intervals.size(), 1u);
+  EXPECT_EQ(read.intervals[0].high, 7.5);
+  EXPECT_EQ(parameter_rows(read)[5].number, "3 (95 %: 2 to 7.5)");
 }
 
 TEST(MaterialFile, TakesNoDamagedRecordOfAFit) {

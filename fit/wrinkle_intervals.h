@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/cells.h"
+#include "fit/fit.h"
+#include "measure/spectrum.h"
+#include "synth/wrinkle.h"
+
+namespace hada {
+
+/// The 95 % intervals, by profile likelihood, of the fields of `fit` that lie near a bound, where
+/// +-1.96 sigma would not hold them.
+///
+/// Near its bound is what is not known to a fifth of its value (an amplitude, a length or a floor
+/// ends at 0), what ended on the bound, and both axes and the angle of a component whose axes
+/// cannot be told apart: long >= short.
+///
+/// cells  that `fit` was refined on, of `spectrum`
+std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
+                                                 const std::vector<Cell>& cells,
+                                                 const Spectrum& spectrum);
+
+}  // namespace hada
