@@ -111,7 +111,7 @@ class Room {
     const faces = `${state.faces.length} face${state.faces.length === 1 ? '' : 's'}`;
     const [strain, planarity] = [state.strain, state.planarity].map(({ most }) => (most < 1e-15 ? '0' : most.toExponential(0)));
     const crossing = state.crossing_pairs > 0 ? `, ${state.crossing_pairs} pairs of faces pass through each other` : '';
-    part('fold-facts').textContent = `${faces}, ${state.flat ? 'flat' : 'in space'}, strain ${strain}, off their planes by ${planarity}${crossing}`;
+    part('fold-facts').textContent = `${faces}, ${state.flat ? 'flat' : 'in space'}, strain ${strain}, planarity ${planarity}${crossing}`;
     part('fold-export').hidden = state.log.length === 0;
     this.showShape(state);
     part('room-fold').dataset.at = String(state.at);

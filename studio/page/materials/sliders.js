@@ -13,6 +13,9 @@ const decades = 5; // of a log slider without a near lower bound
 
 let numbered = 0; // for ids
 
+/** A name that may go on in the next line after an underscore. @param {string} name */
+const broken = (name) => name.split(/(?<=_)/).flatMap((piece, i) => (i > 0 ? [make('wbr'), piece] : [piece]));
+
 /**
  * A value between bounds: a slider about it and the number itself. Where the bounds lie far from what is
  * usual the slider spans the neighbourhood of the value; the number may go to the bounds.
@@ -53,7 +56,7 @@ function slider(field, value, changed) {
   const unit = field.unit ? ` ${field.unit}` : '';
   const title = `${field.meaning}. ${field.low} to ${field.high}${unit}`;
   return make('div', { class: 'field', title },
-    make('label', { for: id }, field.name, make('small', {}, unit)), number, range);
+    make('label', { for: id }, make('span', {}, ...broken(field.name)), make('small', {}, unit)), number, range);
 }
 
 /**
