@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -91,6 +92,28 @@ Wave best_wave(const std::vector<Part>& parts, double least, double most, double
   return best;
 }
 
+/// How many parts are worth one that scatters on its own: those of one place along the wave lie on
+/// the same rings, whose borders pull them alike. So few places have less to say of a wave, of
+/// which four numbers are not known.
+double together(const std::vector<Part>& parts, const Wave& wave) {
+  constexpr double unknown = 4.0;
+  std::map<double, double> sums;
+  double squares = 0.0;
+  for (const Part& part : parts) {
+    const double off = part.slope - row_of(part.s, wave.length).dot(wave.state);
+    const double clipped = std::clamp(off, -3.0 * wave.scatter, 3.0 * wave.scatter);
+    sums[part.s] += clipped;
+    squares += clipped * clipped;
+  }
+  double of_places = 0.0;
+  for (const auto& [place, sum] : sums) of_places += sum * sum;
+  if (!(squares > 0.0)) return neighbours;
+  const double free = std::max(double(sums.size()) - unknown, 1.0);
+  const double by_few =
+      1.0 + 0.93 / free;  // 90 % of Student's t, to first order, over a Gaussian's
+  return std::max(neighbours, of_places / squares * double(sums.size()) / free * by_few * by_few);
+}
+
 /// Where streaks are clearer their slope is surer.
 std::vector<Part> along(const std::vector<Streak>& seen, int axis) {
   std::vector<double> likeness;
@@ -152,8 +175,9 @@ FaceGrain grain_of(const std::vector<Streak>& seen, const Extent& extent) {
     return grain;
   }
   // Once more, with the scatter that is left.
-  const Wave sharp =
-      best_wave(is_wavy ? up : across, 0.9 * wave.length, 1.1 * wave.length, wave.scatter);
+  const auto& parts = is_wavy ? up : across;
+  Wave sharp = best_wave(parts, 0.9 * wave.length, 1.1 * wave.length, wave.scatter);
+  sharp.covariance *= together(parts, sharp) / neighbours;
   const double left = is_wavy ? left_by_mean(tile_up, sharp.length) *
                                     left_by_mean(compared_px * extent.pitch, sharp.length)
                               : left_by_mean(tile_across, sharp.length);
