@@ -15,6 +15,7 @@
 #include "io/surface_file.h"
 #include "synth/knit_tile.h"
 #include "synth/synthesize.h"
+#include "synth/unresolved.h"
 
 namespace hada {
 namespace {
@@ -91,6 +92,11 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
   // Only knit has holes; a window without end has no tile to cut them from.
   if (const auto* knit = std::get_if<Knit<>>(&file.material); knit && arguments.at.empty()) {
     put_picture(output, "opacity.png", Image(tile_opacity(*knit, extent)));
+  }
+  // Slopes too fine for the normals scatter light as roughness does: everywhere alike.
+  if (const auto* wrinkle = std::get_if<Wrinkle<>>(&file.material)) {
+    const auto roughness = float(roughness_of(unresolved_slopes(*wrinkle, extent.pitch)));
+    put_picture(output, "roughness.png", Image(Grid<float>(extent.rows, extent.cols, roughness)));
   }
   output.commit();
 
