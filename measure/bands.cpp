@@ -52,9 +52,7 @@ Grid<float> waves_of(const Grid<std::complex<double>>& transform, const Grid<flo
                      const Grid<double>& taper) {
   auto part = transform;
   for (int row = 0; row < part.rows(); ++row) {
-    for (int col = 0; col < part.cols(); ++col) {
-      part(row, col) *= double(share(row, col));
-    }
+    for (int col = 0; col < part.cols(); ++col) part(row, col) *= double(share(row, col));
   }
   const auto tapered = inverse_fft(part, taper.cols());
   Grid<float> waves(taper.rows(), taper.cols());
@@ -154,9 +152,8 @@ std::vector<std::vector<float>> shares_of(const std::vector<Ordinate>& ordinates
   std::vector<std::vector<float>> shares(numbers.size(),
                                          std::vector<float>(ordinates.size(), 0.0f));
   for (std::size_t i = 0; i < ordinates.size(); ++i) {
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
+    for (std::size_t k = 0; k < numbers.size(); ++k)
       shares[k][i] = band(ordinates[i].row, ordinates[i].col) == numbers[k] ? 1.0f : 0.0f;
-    }
   }
   for (int round = 0; round < sharing_rounds; ++round) {
     std::vector<Hump> humps;
@@ -169,9 +166,8 @@ std::vector<std::vector<float>> shares_of(const std::vector<Ordinate>& ordinates
         heights.push_back(hump.height(at.log_frequency, at.angle));
         sum += heights.back();
       }
-      for (std::size_t k = 0; k < humps.size(); ++k) {
+      for (std::size_t k = 0; k < humps.size(); ++k)
         shares[k][std::size_t(i)] = float(heights[k] / sum);
-      }
     });
   }
   return shares;
@@ -181,10 +177,19 @@ std::vector<std::vector<float>> shares_of(const std::vector<Ordinate>& ordinates
 Grid<float> share_map(const std::vector<Ordinate>& ordinates, const std::vector<float>& share,
                       const Spectrum& spectrum) {
   Grid<float> map(spectrum.power.rows(), spectrum.power.cols() / 2 + 1);
-  for (std::size_t i = 0; i < ordinates.size(); ++i) {
+  for (std::size_t i = 0; i < ordinates.size(); ++i)
     map(ordinates[i].row, ordinates[i].col) = share[i];
-  }
   return map;
+}
+
+// Waves whose power is multiplied by their frequency tell the mean frequency pixel by pixel. A
+// spectrum of the cut waves would tell it too high: its side lobes reach far up.
+Grid<float> times_root_frequency(Grid<float> share, const Spectrum& spectrum) {
+  for (int row = 0; row < share.rows(); ++row) {
+    for (int col = 0; col < share.cols(); ++col)
+      share(row, col) *= float(std::sqrt(std::hypot(spectrum.fx(col), spectrum.fy(row))));
+  }
+  return share;
 }
 
 double root_mean_square(const Grid<float>& values, const Mask& mask) {
@@ -197,11 +202,12 @@ double root_mean_square(const Grid<float>& values, const Mask& mask) {
   return std::sqrt(sum / count);
 }
 
+// mean         frequency, every pixel alike
 // independent  how many independent observations the band rests on
-Band band_from(const Sums& sums, double rms, double independent) {
+Band band_from(const Sums& sums, double rms, double mean, double independent) {
   Band band;
-  const double mean = sums.frequency / sums.power;
-  const double spread = std::max(sums.frequency2 / sums.power - mean * mean, 0.0);
+  const double of_cut = sums.frequency / sums.power;
+  const double spread = std::max(sums.frequency2 / sums.power - of_cut * of_cut, 0.0);
   const double coherence = std::abs(sums.doubled) / sums.power;
   band.wavelength = 1.0 / mean;
   band.direction = half_turn(0.5 * std::arg(sums.doubled));
@@ -279,9 +285,12 @@ std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const 
     // An ordinate is exponentially distributed: its mean square is twice the square of its mean.
     const double independent = 2.0 * spectrum.independence * sums.power * sums.power / sums.squares;
     const auto waves = waves_of(transform, shared, spectrum.taper);
+    const double rms = root_mean_square(waves, trusted);
+    const double faster = root_mean_square(
+        waves_of(transform, times_root_frequency(shared, spectrum), spectrum.taper), trusted);
     const auto alone = power_spectrum(waves, trusted, spectrum.extent, {.taper = light_taper});
-    result.push_back(band_from(sums_over(alone, [](int, int) { return 1.0f; }),
-                               root_mean_square(waves, trusted), independent));
+    result.push_back(band_from(sums_over(alone, [](int, int) { return 1.0f; }), rms,
+                               faster * faster / (rms * rms), independent));
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Band& a, const Band& b) { return a.rms > b.rms; });
