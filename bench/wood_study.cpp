@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bench/made_stems.h"
 #include "core/parallel.h"
 #include "core/quantile.h"
 #include "fit/vessels.h"
@@ -19,7 +20,6 @@ namespace hada {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double ninety = 1.6449;  // deviations that hold 90 % of a Gaussian
 
 /// Errors of the rings that were found, each true ring once.
 struct Matched {
@@ -43,54 +43,6 @@ Matched matched(const Wood<>& found, const Wood<>& sigma, const std::vector<doub
   return result;
 }
 
-/// A stem by the luck of `seed`; widths of rings hang together as in nature (AR(1), 0.65).
-Wood<> stem(Seed seed) {
-  Wood<> wood;
-  const auto luck = [&](int k, double low, double high) {
-    return low + (high - low) * uniform(seed, k);
-  };
-  wood.pith_mm = {luck(0, -12.0, 12.0), luck(1, -12.0, 12.0)};
-  if (seed % 3 == 0) wood.pith_mm[0] -= 45.0;  // every third lies outside
-  wood.lobes = {{2.0, luck(2, -0.04, 0.04), luck(3, -0.04, 0.04)},
-                {3.0, luck(4, -0.015, 0.015), luck(5, -0.015, 0.015)}};
-  wood.latewood_share = luck(6, 0.25, 0.55);
-  wood.fibre_shift = luck(7, 0.05, 0.2);
-  wood.fibre_mm = 0.15;
-  wood.ring_radii_mm.clear();
-  double log_width = std::log(2.2), radius = 0.0;
-  for (int k = 0; radius < 110.0; ++k) {
-    log_width = std::log(2.2) + 0.65 * (log_width - std::log(2.2)) + 0.22 * gaussian(seed, k, 1);
-    radius += std::max(std::exp(log_width), 0.9);
-    wood.ring_radii_mm.push_back(radius);
-  }
-  return wood;
-}
-
-Surface picture(const Wood<>& wood, const Extent& extent, Seed seed, int finer = 3) {
-  Extent fine = extent;
-  fine.rows *= finer;
-  fine.cols *= finer;
-  fine.pitch /= finer;
-  const auto drawn = synthesize(wood, fine, seed).albedo;
-  Surface surface;
-  surface.extent = extent;
-  surface.mask = full_mask(extent);
-  surface.albedo = Image(extent.rows, extent.cols, 3);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (int row = 0; row < extent.rows; ++row) {
-      for (int col = 0; col < extent.cols; ++col) {
-        double sum = 0.0;
-        for (int k = 0; k < finer * finer; ++k)
-          sum += double(drawn.planes[c](finer * row + k / finer, finer * col + k % finer));
-        const double seen = sum / (finer * finer) + 0.01 * gaussian(seed + 7, row, col, int(c));
-        surface.albedo.planes[c](row, col) =
-            float(std::round(255.0 * std::clamp(seen, 0.0, 1.0)) / 255.0);
-      }
-    }
-  }
-  return surface;
-}
-
 /// Radii that cross the picture; `all` adds those in a corner, which may or may not be found.
 std::vector<double> visible(const Wood<>& wood, const Extent& extent, double clear_px) {
   double least = HUGE_VAL, most = 0.0;
@@ -111,19 +63,6 @@ std::vector<double> visible(const Wood<>& wood, const Extent& extent, double cle
   }
   return radii;
 }
-
-struct Tally {
-  int held = 0, asked = 0;
-  void add(double error, double sigma) {
-    ++asked;
-    if (std::abs(error) <= ninety * sigma) ++held;
-  }
-  void add(const Tally& other) {
-    held += other.held;
-    asked += other.asked;
-  }
-  double share() const { return asked > 0 ? double(held) / asked : 0.0; }
-};
 
 }  // namespace
 
@@ -156,8 +95,8 @@ StemScore study_stems(int seeds) {
   double found = 0.0, asked = 0.0, given = 0.0;
   for (int k = 0; k < seeds; ++k) {
     const Seed seed = Seed(1000 + k);
-    auto wood = stem(seed);
-    const auto fit = fit_wood(picture(wood, extent, seed), {.view = WoodView::end_grain});
+    auto wood = made_stem(seed);
+    const auto fit = fit_wood(picture_of(wood, extent, seed), {.view = WoodView::end_grain});
     const auto clear = visible(wood, extent, 8.0), all = visible(wood, extent, 0.0);
     const auto sure = matched(fit.material, fit.sigma, clear, 0.4);
     found += double(sure.errors.size());
@@ -186,7 +125,7 @@ StemScore study_stems(int seeds) {
     wood.wave_amplitude = 0.08 + 0.12 * uniform(seed, 11);
     wood.wave_length_mm = 13.0 + 7.0 * uniform(seed, 12);
     const auto lean =
-        fit_wood(picture(wood, {600, 300, 0.1, Unit::mm}, seed + 1), {.view = WoodView::face});
+        fit_wood(picture_of(wood, {600, 300, 0.1, Unit::mm}, seed + 1), {.view = WoodView::face});
     spiral.push_back(std::abs(lean.material.spiral - wood.spiral));
     amplitude.push_back(std::abs(lean.material.wave_amplitude / wood.wave_amplitude - 1.0));
     length.push_back(std::abs(lean.material.wave_length_mm / wood.wave_length_mm - 1.0));
@@ -226,7 +165,7 @@ InterlockScore study_interlock(int seeds) {
   Tally tally;
   for (int k = 0; k < seeds; ++k) {
     const Seed seed = Seed(5000 + k);
-    auto wood = stem(seed);
+    auto wood = made_stem(seed);
     const double width = 1.6 + 1.2 * uniform(seed, 30), slant = 0.4 + 0.2 * uniform(seed, 31);
     wood.pith_mm = {0.0, 0.0};
     wood.lobes.clear();
@@ -240,7 +179,7 @@ InterlockScore study_interlock(int seeds) {
     wood.cut_origin_mm = {far_mm, 0.0, 0.0};
     wood.cut_right = {slant, 1.0, 0.0};
     wood.cut_up = {0.0, 0.0, 1.0};
-    const auto fit = fit_wood(picture(wood, extent, seed), {.view = WoodView::face});
+    const auto fit = fit_wood(picture_of(wood, extent, seed), {.view = WoodView::face});
     ++score.faces;
     if (!(fit.material.interlock_amplitude > 0.0)) continue;
     ++score.told;
@@ -262,7 +201,7 @@ VesselScore study_vessels(int seeds) {
   Tally tally;
   for (int k = 0; k < seeds; ++k) {
     const Seed seed = Seed(3000 + k);
-    auto wood = stem(seed);
+    auto wood = made_stem(seed);
     wood.pith_mm = {-9.0 - 6.0 * uniform(seed, 20), 4.0 * uniform(seed, 21)};
     const bool ring = k % 2 == 1;
     if (ring) {
@@ -273,7 +212,7 @@ VesselScore study_vessels(int seeds) {
       wood.vessel_radius_mm = 0.11 + 0.05 * uniform(seed, 23);
       wood.vessel_radius_sd_mm = 0.01;
     }
-    const auto surface = picture(wood, extent, seed, 2);
+    const auto surface = picture_of(wood, extent, seed, 2);
     const auto seen = vessels_of(surface, end_grain(surface));
     ++score.woods;
     if (!seen) continue;
@@ -294,7 +233,7 @@ VesselScore study_vessels(int seeds) {
 }
 
 double seconds_of_a_slice() {
-  Wood<> wood = stem(1);
+  Wood<> wood = made_stem(1);
   wood.cut_origin_mm = {20.0, 0.0, 0.0};
   wood.cut_right = {0.0, 1.0, 0.0};
   wood.cut_up = {0.0, 0.0, 1.0};
