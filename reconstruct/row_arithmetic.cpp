@@ -6,15 +6,6 @@
 
 namespace hada::row_kernels {
 
-HADA_CLONES_AVX512 void add_four(int n, float* __restrict sum, const float* a, const float* b,
-                                 const float* c, const float* d) {
-  for (int i = 0; i < n; ++i) sum[i] = (a[i] + b[i]) + (c[i] + d[i]);
-}
-
-HADA_CLONES_AVX512 void add(int n, const float* x, float* __restrict total) {
-  for (int i = 0; i < n; ++i) total[i] += x[i];
-}
-
 HADA_CLONES_AVX512 void subtract(int n, float off, const float* x, float* __restrict out) {
   for (int i = 0; i < n; ++i) out[i] = x[i] - off;
 }
@@ -31,8 +22,12 @@ HADA_CLONES_AVX512 void add_times(int n, float factor, const float* x, float* __
   for (int i = 0; i < n; ++i) total[i] += factor * x[i];
 }
 
-HADA_CLONES_AVX512 void round_to(int n, float magic, float* __restrict x) {
-  for (int i = 0; i < n; ++i) x[i] = (x[i] + magic) - magic;
+HADA_CLONES_AVX512 void settle(int n, float factor, float magic, float* __restrict x,
+                               float* __restrict total) {
+  for (int i = 0; i < n; ++i) {
+    x[i] = (factor * x[i] + magic) - magic;
+    total[i] += x[i];
+  }
 }
 
 HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,

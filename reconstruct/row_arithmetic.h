@@ -6,14 +6,10 @@
 /// largest values. Compiled for several instruction sets, all of which give the same bytes.
 namespace hada::row_kernels {
 
-/// sum[i] = a[i] + b[i] + c[i] + d[i].
-void add_four(int n, float* __restrict sum, const float* a, const float* b, const float* c,
-              const float* d);
 /// even[i] = a[2 i] + b[2 i], odd[i] = a[2 i + 1] + b[2 i + 1].
 void add_and_deal(int n, const float* a, const float* b, float* __restrict even,
                   float* __restrict odd);
-/// total += x.
-void add(int n, const float* x, float* __restrict total);
+/// total += factor x.
 void add_times(int n, float factor, const float* x, float* __restrict total);
 /// out = x - off.
 void subtract(int n, float off, const float* x, float* __restrict out);
@@ -27,8 +23,9 @@ void gather(int n, const float* even, const float* odd, float* __restrict row);
 
 /// The largest |x|.
 float largest(int n, const float* x);
-/// x = (x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
-void round_to(int n, float magic, float* __restrict x);
+/// x = (factor x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22), and total +=
+/// x.
+void settle(int n, float factor, float magic, float* __restrict x, float* __restrict total);
 
 double sum(int n, const float* x);
 double dot(int n, const float* x, const float* y);

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "reconstruct/clones.h"
+#include "reconstruct/lanes.h"
 
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Wunknown-pragmas"  // those of GCC below
@@ -17,21 +18,6 @@ inline float inverse_of(std::uint8_t code) {
   return float(code >> 4) * twelfth;
 }
 
-inline float carried_evenly(const Corner& corner, int i) {
-  const float value = corner.value[i];
-  return value + 0.25f * (corner.across[i] - value) + 0.25f * (corner.along[i] - value);
-}
-
-inline float carried(const Corner& corner, int i) {
-  const float value = corner.value[i];
-  const float f = corner.across_weight[i] * corner.across_reach[i];
-  const float g = corner.along_weight[i] * corner.along_reach[i];
-  const float across = f < 0.5f ? f : 0.5f;
-  const float along = g < 0.5f ? g : 0.5f;
-  return value + across * (corner.across[i] - value) + along * (corner.along[i] - value);
-}
-
-constexpr int chunk = 128;  // cells of a colour at a time, in the nearest cache
 constexpr int together = 16;
 
 // Whether 16 bytes all have the value.
@@ -89,28 +75,43 @@ template <class Put>
       });
 }
 
-// carry[2 i], carry[2 i + 1]: of cell first + i of the even and of the odd columns.
-[[gnu::always_inline]] inline void carry_over(int count, const Corner& even, const Corner& odd,
-                                              int first, float* __restrict carry) {
-  int i = 0;
-  for (; even.even && i + together <= count; i += together) {
-    const int at = first + i;
-    float* const to = carry + 2 * i;
-    if (all_are(even.even + at, 1) && all_are(odd.even + at, 1)) {
-      for (int j = 0; j < together; ++j) {
-        to[2 * j] = carried_evenly(even, at + j);
-        to[2 * j + 1] = carried_evenly(odd, at + j);
-      }
-    } else {
-      for (int j = 0; j < together; ++j) {
-        to[2 * j] = carried(even, at + j);
-        to[2 * j + 1] = carried(odd, at + j);
-      }
-    }
-  }
-  for (; i < count; ++i) {
-    carry[2 * i] = carried(even, first + i);
-    carry[2 * i + 1] = carried(odd, first + i);
+// Eight coarse cells from i on, each carried to its corner, as `add_carried` tells.
+[[gnu::always_inline]] inline Lanes carried_evenly(const Corner& corner, int i) {
+  const Lanes value = load(corner.value + i);
+  return value + 0.25f * (load(corner.across + i) - value) +
+         0.25f * (load(corner.along + i) - value);
+}
+
+[[gnu::always_inline]] inline Lanes carried(const Corner& corner, int i) {
+  const Lanes value = load(corner.value + i);
+  const Lanes f = load(corner.across_weight + i) * load(corner.across_reach + i);
+  const Lanes g = load(corner.along_weight + i) * load(corner.along_reach + i);
+  return value + smaller(f, all(0.5f)) * (load(corner.across + i) - value) +
+         smaller(g, all(0.5f)) * (load(corner.along + i) - value);
+}
+
+inline bool eight_are_even(const Corner& corner, int i) {
+  std::uint64_t marks;
+  std::memcpy(&marks, corner.even + i, sizeof marks);
+  return marks == 0x0101010101010101u;
+}
+
+// alive(place): which of eight fine cells there are.
+template <class Alive>
+[[gnu::always_inline]] inline void add_eights(int n, float* __restrict x, const Corner& even,
+                                              const Corner& odd, const Alive& alive) {
+  for (int i = 0; i < n; i += lane_count) {
+    const bool plain = even.even && eight_are_even(even, i) && eight_are_even(odd, i);
+    const Lanes a = plain ? carried_evenly(even, i) : carried(even, i);
+    const Lanes b = plain ? carried_evenly(odd, i) : carried(odd, i);
+    Lanes first = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+    Lanes second = __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+    float* const to = x + 2 * i;
+    first += load(to);
+    second += load(to + lane_count);
+    // All fine cells of an even one are there.
+    store(to, plain ? first : chosen(alive(2 * i), first, all(0.0f)));
+    store(to + lane_count, plain ? second : chosen(alive(2 * i + lane_count), second, all(0.0f)));
   }
 }
 
@@ -235,28 +236,14 @@ HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::
   }
 }
 
-HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& even,
-                                    const Corner& odd, const std::uint8_t* alive) {
-  float carry[2 * chunk];
-  for (int first = 0; first < n; first += chunk) {
-    const int count = n - first < chunk ? n - first : chunk;
-    carry_over(count, even, odd, first, carry);
-    for (int j = 0; j < 2 * count; ++j) {
-      x[2 * first + j] = alive[2 * first + j] ? x[2 * first + j] + carry[j] : 0.0f;
-    }
-  }
+HADA_CLONES_AVX2 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
+                                  const std::uint8_t* alive) {
+  add_eights(n, x, even, odd, [=](int i) { return load_flags(alive + i); });
 }
 
-HADA_CLONES_AVX512 void add_carried(int n, float* __restrict x, const Corner& even,
-                                    const Corner& odd, const float* alive) {
-  float carry[2 * chunk];
-  for (int first = 0; first < n; first += chunk) {
-    const int count = n - first < chunk ? n - first : chunk;
-    carry_over(count, even, odd, first, carry);
-    for (int j = 0; j < 2 * count; ++j) {
-      x[2 * first + j] = alive[2 * first + j] > 0.0f ? x[2 * first + j] + carry[j] : 0.0f;
-    }
-  }
+HADA_CLONES_AVX2 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
+                                  const float* alive) {
+  add_eights(n, x, even, odd, [=](int i) { return load(alive + i) > 0.0f; });
 }
 
 }  // namespace hada::row_kernels

@@ -85,7 +85,7 @@ struct Corner {
 
 /// x[j] += the value of coarse cell j carried to one of its corners, where `alive[j]` is not 0:
 /// v + f (v_across - v) + g (v_along - v), f and g = weight * reach, the share of the way between
-/// two cells that is covered at the corner; a quarter in an even lattice.
+/// two cells that is covered at the corner; a quarter in an even lattice. n: a multiple of 8.
 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
                  const std::uint8_t* alive);
 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,

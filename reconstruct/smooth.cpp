@@ -184,50 +184,13 @@ void add_subtraction(const System& s, std::vector<Stage>& stages) {
                     }});
 }
 
-void add_rounding(const System& s, float magic, std::vector<Stage>& stages) {
-  stages.push_back({1, [s, magic](int row) {
-                      row_kernels::round_to(int(s.level.at.stride()), magic,
-                                            s.x + s.level.at.start(row, 0));
-                    }});
-}
-
-void add_to_total(const System& s, float* total, bool from_zero, std::vector<Stage>& stages) {
-  stages.push_back({0, [s, total, from_zero](int row) {
+void add_settling(const System& s, float factor, float magic, float* total,
+                  std::vector<Stage>& stages) {
+  stages.push_back({1, [=](int row) {
                       const auto first = s.level.at.start(row, 0);
-                      const auto count = s.level.at.stride();
-                      if (from_zero) {
-                        std::copy_n(s.x + first, count, total + first);
-                      } else {
-                        row_kernels::add(int(count), s.x + first, total + first);
-                      }
+                      row_kernels::settle(int(s.level.at.stride()), factor, magic, s.x + first,
+                                          total + first);
                     }});
-}
-
-void restrict_right(const PixelLevel& level, PixelLevel& coarse) {
-  const Dealt& at = level.at;
-  for_slices(coarse.at.rows, [&](int begin, int end) {
-    std::vector<float> sum(std::size_t(at.block));
-    for (int row = begin; row < end; ++row) {
-      const int below = std::min(2 * row + 1, at.rows);
-      const float* const right = level.right.data();
-      row_kernels::add_four(at.block, sum.data(), right + at.start(2 * row, 0),
-                            right + at.start(2 * row, 1), right + at.start(below, 0),
-                            right + at.start(below, 1));
-      row_kernels::deal(at.block / 2, sum.data(), coarse.right.data() + coarse.at.start(row, 0),
-                        coarse.right.data() + coarse.at.start(row, 1));
-    }
-  });
-  std::fill(coarse.right.begin() + std::ptrdiff_t(coarse.at.size()), coarse.right.end(), 0.0f);
-  for (const auto& m : level.moved) {
-    const int row = m.row / 2;
-    const auto place = m.cell - at.start(m.row, 0);
-    const int col = int(place < at.block ? 2 * place : 2 * (place - at.block) + 1) / 2;
-    coarse.right[std::size_t(coarse.at.cell(row, col))] -= level.right[std::size_t(m.cell)];
-    coarse.right[std::size_t(m.parent)] += level.right[std::size_t(m.cell)];
-  }
-  for (std::size_t i = 0; i < level.extras.size(); ++i) {
-    coarse.right[std::size_t(level.extras[i].parent)] += level.right[at.size() + i];
-  }
 }
 
 }  // namespace hada

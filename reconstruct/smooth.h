@@ -35,17 +35,11 @@ void add_correction(const System& system, const PixelLevel& coarse, std::vector<
 /// ones is found.
 void add_restriction(const System& system, PixelLevel& coarse, std::vector<Stage>& stages);
 
-/// x is rounded to a multiple of magic / (3 * 2^22), at all cells.
-void add_rounding(const System& system, float magic, std::vector<Stage>& stages);
-
-/// total += x, or total = x.
-void add_to_total(const System& system, float* total, bool from_zero, std::vector<Stage>& stages);
+/// x = factor x, rounded to a multiple of magic / (3 * 2^22), and total += x, at all cells.
+void add_settling(const System& system, float factor, float magic, float* total,
+                  std::vector<Stage>& stages);
 
 /// right -= A x, at all cells.
 void add_subtraction(const System& system, std::vector<Stage>& stages);
-
-/// right of the coarser level = right, added up over blocks: the problem as the coarser level sees
-/// it.
-void restrict_right(const PixelLevel& level, PixelLevel& coarse);
 
 }  // namespace hada

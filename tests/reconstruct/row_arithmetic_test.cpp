@@ -8,10 +8,11 @@
 namespace hada {
 namespace {
 
-TEST(RowArithmetic, RoundToMultiples) {
-  std::vector<float> x{0.3f, -0.3f, 0.124f, 0.126f};
-  row_kernels::round_to(4, 3.0f * 0x1p22f * 0.25f, x.data());
+TEST(RowArithmetic, SettleToMultiplesThatAreAddedUp) {
+  std::vector<float> x{0.15f, -0.15f, 0.062f, 0.063f}, total{1.0f, 2.0f, 3.0f, 4.0f};
+  row_kernels::settle(4, 2.0f, 3.0f * 0x1p22f * 0.25f, x.data(), total.data());
   EXPECT_EQ(x, (std::vector<float>{0.25f, -0.25f, 0.0f, 0.25f}));
+  EXPECT_EQ(total, (std::vector<float>{1.25f, 1.75f, 3.0f, 4.25f}));
 }
 
 TEST(RowArithmetic, DealAndGatherAreInverse) {

@@ -59,16 +59,19 @@ TEST(Smooth, FromZeroIsASweepOfZeros) {
   EXPECT_EQ(fresh, x);
 }
 
-TEST(Smooth, AddsToATotalOrSetsIt) {
+TEST(Smooth, SettlesAllCellsAndAddsThemUp) {
   PixelLevel level = some_level();
-  Cells x = level.right, total(level.nodes(), 0.0f);
-  for (const bool from_zero : {true, false}) {
-    std::vector<Stage> stages;
-    add_to_total({level, x.data(), nullptr}, total.data(), from_zero, stages);
-    run(level, stages);
+  Cells x = level.right, total = level.right;
+  std::vector<Stage> stages;
+  add_settling({level, x.data(), nullptr}, 1.5f, 3.0f * 0x1p22f, total.data(), stages);
+  run(level, stages);
+  for (int row = 0; row < 6; ++row) {
+    for (int col = 0; col < 7; ++col) {
+      const auto cell = std::size_t(level.at.cell(row, col));
+      EXPECT_EQ(x[cell], std::nearbyint(1.5f * level.right[cell]));
+      EXPECT_EQ(total[cell], level.right[cell] + x[cell]);
+    }
   }
-  const auto cell = std::size_t(level.at.cell(2, 3));
-  EXPECT_EQ(total[cell], 2.0f * x[cell]);
 }
 
 }  // namespace
