@@ -11,6 +11,7 @@ namespace hada {
 namespace {
 
 int chosen_threads = 0;
+thread_local bool in_slice = false;
 
 }  // namespace
 
@@ -24,7 +25,7 @@ int threads() {
 }
 
 void for_slices(int count, const std::function<void(int, int)>& work) {
-  const int slices = std::min(threads(), count);
+  const int slices = in_slice ? 1 : std::min(threads(), count);
   if (slices <= 1) {
     if (count > 0) work(0, count);
     return;
@@ -32,11 +33,13 @@ void for_slices(int count, const std::function<void(int, int)>& work) {
   const auto edge = [&](int slice) { return int(std::int64_t(count) * slice / slices); };
   std::vector<std::exception_ptr> failures(std::size_t(slices), nullptr);
   const auto run = [&](int slice) {
+    in_slice = slices == threads();
     try {
       work(edge(slice), edge(slice + 1));
     } catch (...) {
       failures[std::size_t(slice)] = std::current_exception();
     }
+    in_slice = false;
   };
   std::vector<std::jthread> helpers;
   for (int slice = 1; slice < slices; ++slice) helpers.emplace_back(run, slice);

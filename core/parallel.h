@@ -10,6 +10,8 @@ int threads();
 
 /// Calls `work(begin, end)` on equal, contiguous slices of [0, count), one slice to a thread.
 ///
+/// Where the slices take all threads, further calls within one run on its thread alone.
+///
 /// The slices must not write to common places; a sum is formed per row and added up in row order by
 /// the caller, so that the result does not depend on the number of threads. The first exception (in
 /// the order of the slices) is thrown again here.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -15,7 +17,10 @@
 namespace hada {
 namespace {
 
-constexpr int draws = 64;
+constexpr int draws = 32;
+constexpr int coarse_draws = 512;
+constexpr int groups = 8;         // of draws: threads that are of use
+constexpr int coarse_factor = 4;  // between both lattices
 constexpr int smoothing_px = 6;
 constexpr double most_cells = 250000.0;
 constexpr Seed seed =
@@ -34,26 +39,29 @@ Eigen::Matrix2d slope_covariance(const Eigen::Vector3f& normal, double sigma) {
 // Slope errors on a lattice of square cells of `factor` pixels.
 struct Lattice {
   Mask mask;                         // cells with at least one pixel
+  Grid<float> pixels;                // of a cell, that are inside the mask
   Grid<Eigen::Matrix2f> root;        // Cholesky factor of the covariance of the mean slope
   Grid<float> variance_left_out_px;  // of the height, in octaves finer than the lattice, px^2
 
-  Lattice(const NormalMap& normals, const Grid<float>& normal_sigma, const Mask& pixels, int factor)
-      : mask((pixels.rows() + factor - 1) / factor, (pixels.cols() + factor - 1) / factor, 0),
+  Lattice(const NormalMap& normals, const Grid<float>& normal_sigma, const Mask& inside, int factor)
+      : mask((inside.rows() + factor - 1) / factor, (inside.cols() + factor - 1) / factor, 0),
+        pixels(mask.rows(), mask.cols()),
         root(mask.rows(), mask.cols(), Eigen::Matrix2f::Zero()),
         variance_left_out_px(mask.rows(), mask.cols()) {
     for_each_index(mask.rows(), [&](int row) {
       for (int col = 0; col < mask.cols(); ++col) {
         Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
         double count = 0.0;
-        for (int r = row * factor; r < std::min((row + 1) * factor, pixels.rows()); ++r) {
-          for (int c = col * factor; c < std::min((col + 1) * factor, pixels.cols()); ++c) {
-            if (!pixels(r, c)) continue;
+        for (int r = row * factor; r < std::min((row + 1) * factor, inside.rows()); ++r) {
+          for (int c = col * factor; c < std::min((col + 1) * factor, inside.cols()); ++c) {
+            if (!inside(r, c)) continue;
             sum += slope_covariance(normals(r, c), normal_sigma(r, c));
             count += 1.0;
           }
         }
         if (count == 0.0) continue;
         mask(row, col) = 1;
+        pixels(row, col) = float(count);
         const Eigen::Matrix2d mean = sum / (count * count);
         const double first = std::sqrt(mean(0, 0));
         const double mixed = first > 0.0 ? mean(1, 0) / first : 0.0;
@@ -99,6 +107,104 @@ Grid<float> smoothed(Grid<float> values, const Mask& mask) {
   return values;
 }
 
+// The slopes of a lattice as the cells of a coarser one see them.
+SlopeMap means(const SlopeMap& slopes, const Lattice& lattice, const Lattice& coarse) {
+  SlopeMap result(coarse.mask.rows(), coarse.mask.cols(), Eigen::Vector2f::Zero());
+  for_each_index(coarse.mask.rows(), [&](int row) {
+    const int end = std::min((row + 1) * coarse_factor, slopes.rows());
+    for (int r = row * coarse_factor; r < end; ++r) {
+      for (int c = 0; c < slopes.cols(); ++c) {
+        result(row, c / coarse_factor) += lattice.pixels(r, c) * slopes(r, c);
+      }
+    }
+    for (int col = 0; col < coarse.mask.cols(); ++col) {
+      if (coarse.mask(row, col)) result(row, col) /= coarse.pixels(row, col);
+    }
+  });
+  return result;
+}
+
+// Heights of slope errors on a lattice, in cells.
+class Errors {
+ public:
+  Errors(const Lattice& lattice, Levelling levelling)
+      : mask_(lattice.mask), levelling_(levelling), solver_(lattice.mask) {
+    // A hundredth of the slope errors: heights err by more than they do.
+    double squares = 0.0;
+    for (const auto& root : lattice.root) squares += double(root.squaredNorm());
+    const double cells = double(std::count(mask_.begin(), mask_.end(), std::uint8_t(1)));
+    tolerance_ = 0.01 * std::sqrt(0.5 * squares / std::max(cells, 1.0));
+  }
+
+  Grid<float> squares(const SlopeMap& slopes) {
+    Grid<float> error = solver_.height(slopes, tolerance_, 100);
+    level(error, mask_, levelling_);
+    for (float& value : error) value *= value;
+    return error;
+  }
+
+ private:
+  const Mask& mask_;
+  Levelling levelling_;
+  SlopeSolver solver_;
+  double tolerance_ = 0.0;
+};
+
+// The mean over draws of the maps that `make()` gives: a function of the draw, with solvers of its
+// own. Groups of draws are added up apart, so that the sum is the same for any number of threads.
+template <class Make>
+Grid<float> mean_of_draws(int first, int count, const Make& make) {
+  std::vector<Grid<float>> sums(groups);
+  for_each_index(groups, [&](int group) {
+    auto map_of = make();
+    Grid<float>& sum = sums[std::size_t(group)] = map_of(first + group);
+    for (int draw = group + groups; draw < count; draw += groups) {
+      const Grid<float> map = map_of(first + draw);
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += map[i];
+    }
+  });
+  Grid<float> mean = std::move(sums.front());
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    for (std::size_t group = 1; group < groups; ++group) mean[i] += sums[group][i];
+    mean[i] /= float(count);
+  }
+  return mean;
+}
+
+// The variance of the height on a lattice, in cells^2. Long waves make most of it and differ most
+// from draw to draw, so that it takes many; those are had on a coarse lattice. What that does not
+// see takes few draws, which both lattices share.
+Grid<float> drawn_variance(const Lattice& lattice, const Lattice& coarse, Levelling levelling) {
+  constexpr float scale = coarse_factor * coarse_factor;  // of the squares of a cell
+  const auto of_coarse = [](const Grid<float>& grid, int row, int col) {
+    return scale * grid(row / coarse_factor, col / coarse_factor);
+  };
+  const Grid<float> far = mean_of_draws(draws, coarse_draws, [&] {
+    return [&, errors = Errors(coarse, levelling)](int draw) mutable {
+      return errors.squares(drawn_slopes(coarse, draw));
+    };
+  });
+  Grid<float> variance = mean_of_draws(0, draws, [&] {
+    return [&, errors = Errors(lattice, levelling),
+            coarse_errors = Errors(coarse, levelling)](int draw) mutable {
+      const SlopeMap slopes = drawn_slopes(lattice, draw);
+      Grid<float> unseen = errors.squares(slopes);
+      const Grid<float> seen = coarse_errors.squares(means(slopes, lattice, coarse));
+      for (int row = 0; row < unseen.rows(); ++row) {
+        for (int col = 0; col < unseen.cols(); ++col) unseen(row, col) -= of_coarse(seen, row, col);
+      }
+      return unseen;
+    };
+  });
+  for (int row = 0; row < variance.rows(); ++row) {
+    for (int col = 0; col < variance.cols(); ++col) {
+      float& here = variance(row, col);
+      here = lattice.mask(row, col) ? here + of_coarse(far, row, col) : 0.0f;
+    }
+  }
+  return smoothed(std::move(variance), lattice.mask);
+}
+
 }  // namespace
 
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,
@@ -109,21 +215,8 @@ Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sig
   while (pixels / (double(factor) * factor) > most_cells) factor *= 2;
   const Lattice lattice(normals, normal_sigma, mask, factor);
 
-  // A hundredth of the slope errors, in px: heights err by more than they do.
-  double squares = 0.0;
-  for (const auto& root : lattice.root) squares += double(root.squaredNorm());
-  const double cells =
-      double(std::count(lattice.mask.begin(), lattice.mask.end(), std::uint8_t(1)));
-  const double tolerance_px = 0.01 * std::sqrt(0.5 * squares / std::max(cells, 1.0));
-
-  SlopeSolver solver(lattice.mask);
-  Grid<float> variance_px(lattice.mask.rows(), lattice.mask.cols());
-  for (int draw = 0; draw < draws; ++draw) {
-    Grid<float> error = solver.height(drawn_slopes(lattice, draw), tolerance_px, 100);
-    level(error, lattice.mask, levelling);
-    for (std::size_t i = 0; i < error.size(); ++i) variance_px[i] += error[i] * error[i] / draws;
-  }
-  variance_px = smoothed(std::move(variance_px), lattice.mask);
+  const Lattice coarse(normals, normal_sigma, mask, coarse_factor * factor);
+  const Grid<float> variance = drawn_variance(lattice, coarse, levelling);
 
   Grid<float> sigma(mask.rows(), mask.cols());
   for_each_index(mask.rows(), [&](int row) {
@@ -131,7 +224,7 @@ Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sig
       if (!mask(row, col)) continue;
       const int r = row / factor;
       const int c = col / factor;
-      const double drawn = double(variance_px(r, c)) * factor * factor;
+      const double drawn = std::max(double(variance(r, c)), 0.0) * factor * factor;
       sigma(row, col) = float(pitch * std::sqrt(drawn + lattice.variance_left_out_px(r, c)));
     }
   });

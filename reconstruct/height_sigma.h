@@ -11,8 +11,12 @@ namespace hada {
 /// Independent errors of the normals are drawn, integrated and levelled as the height is, and the
 /// spread at each pixel (smoothed over its neighbourhood) is returned.
 ///
-/// The draws are 64; a mask above a quarter of a million pixels is drawn on a coarser lattice, and
-/// each octave of detail left out adds its share, v pitch^2 ln 2 / (2 pi) for slopes of variance v.
+/// Long waves make most of the spread, and it takes many draws to know theirs: 512, on a lattice of
+/// cells of 4 x 4 pixels. What that lattice leaves out is the mean difference in 32 draws that both
+/// share (multilevel Monte Carlo: M. B. Giles, Operations Research 56 (2008)). A mask above a
+/// quarter of a million pixels is drawn on a coarser lattice, and each octave of detail left out
+/// adds its share, v pitch^2 ln 2 / (2 pi) for slopes of variance v.
+///
 /// An error that all pixels share (a light that is off) bends the whole sheet and is not in here.
 ///
 /// normal_sigma  radians along each tangent axis

@@ -57,6 +57,20 @@ TEST_P(Parallel, FinishesTheOtherSlicesBeforeItThrows) {
   EXPECT_EQ(done, (std::vector<int>{0, 1, 1, 1, 1, 1, 1, 1}));
 }
 
+TEST(Threads, AreNotAskedForTwice) {
+  set_threads(3);
+  std::vector<int> slices(3, 0);
+  for_each_index(3, [&](int i) {
+    for_slices(100, [&](int begin, int end) {
+      EXPECT_EQ(begin, 0);
+      EXPECT_EQ(end, 100);
+      ++slices[std::size_t(i)];
+    });
+  });
+  EXPECT_EQ(slices, (std::vector<int>{1, 1, 1}));
+  set_threads(0);
+}
+
 TEST(Threads, AreAsManyAsAsked) {
   set_threads(5);
   EXPECT_EQ(threads(), 5);
