@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "fit/solve.h"
 
 namespace hada {
 namespace {

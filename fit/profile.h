@@ -4,7 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "fit/solve.h"
+#include "core/field.h"
+#include "fit/residual_function.h"
 
 namespace hada {
 

@@ -10,6 +10,7 @@
 
 #include "core/field.h"
 #include "fit/fit.h"
+#include "fit/residual_function.h"
 
 namespace hada {
 
@@ -18,10 +19,6 @@ struct SolveOptions {
   double tolerance = 1e-10;  // relative change of the cost at which a start is done
   double same_cost = 0.1;    // endings whose costs differ by less (or by 1e-6 of it) are one ending
 };
-
-/// Fills the residuals at `packed` and, unless `jacobian` is null, their derivatives, a row each.
-using ResidualFunction =
-    std::function<void(const double* packed, double* residuals, double* jacobian)>;
 
 /// Where a start ended.
 struct Ending {

@@ -8,6 +8,7 @@
 
 #include "fit/profile.h"
 #include "fit/sampling.h"
+#include "fit/solve.h"
 #include "fit/whittle.h"
 
 namespace hada {
