@@ -114,6 +114,27 @@ double together(const std::vector<Part>& parts, const Wave& wave) {
   return std::max(neighbours, of_places / squares * double(sums.size()) / free * by_few * by_few);
 }
 
+/// Standard deviation of the length, by leaving out one place after another (the jackknife): what
+/// is wrong with a place is wrong with all its parts.
+double length_sigma(const std::vector<Part>& parts, const Wave& wave) {
+  std::map<double, std::vector<Part>> without;
+  for (const Part& part : parts) without[part.s];
+  for (auto& [place, rest] : without) {
+    for (const Part& part : parts) {
+      if (part.s != place) rest.push_back(part);
+    }
+  }
+  double sum = 0.0, squares = 0.0;
+  for (const auto& [place, rest] : without) {
+    const double off =
+        best_wave(rest, 0.9 * wave.length, 1.1 * wave.length, wave.scatter).length - wave.length;
+    sum += off;
+    squares += off * off;
+  }
+  const double count = double(without.size());
+  return std::sqrt(std::max(squares - sum * sum / count, 0.0) * (count - 1.0) / count);
+}
+
 /// Where streaks are clearer their slope is surer.
 std::vector<Part> along(const std::vector<Streak>& seen, int axis) {
   std::vector<double> likeness;
@@ -192,7 +213,10 @@ FaceGrain grain_of(const std::vector<Streak>& seen, const Extent& extent) {
   // A phase known to so much at both ends of the face (uniform parts: span / sqrt 12 from the
   // mean).
   const double span = (is_wavy ? height : width) / std::sqrt(12.0);
-  grain.length = {sharp.length, sharp.length * sharp.length / turn * spread / found / span};
+  const double by_phase = sharp.length * sharp.length / turn * spread / found / span;
+  // Columns of parts are few, and wide enough for a wave to bend within one.
+  const double by_columns = is_wavy ? 0.0 : length_sigma(parts, sharp);
+  grain.length = {sharp.length, std::max(by_phase, by_columns)};
   grain.scatter = sharp.scatter;
   return grain;
 }
