@@ -1,5 +1,6 @@
 #include "app/material_file.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -79,8 +80,12 @@ void read_record(const Json& json, JsonObject& object, MaterialFile& file) {
     if (object.has("on_bound")) json["on_bound"].get_to(file.on_bound);
     if (object.has("remarks")) json["remarks"].get_to(file.remarks);
     if (object.has("intervals")) {
-      for (const auto& [path, ends] : json["intervals"].items())
-        file.intervals.push_back({path, ends.at(0), ends.at(1)});
+      for (const auto& [path, ends] : json["intervals"].get<Json::object_t>()) {
+        const auto [low, high] = ends.get<std::array<double, 2>>();
+        if (!(low <= high))
+          throw Error(object.where() + ": the interval of " + path + " is empty; fit again");
+        file.intervals.push_back({path, low, high});
+      }
     }
     if (object.has("kinds")) {
       for (const auto& [kind, probability] : json["kinds"].items()) {

@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <exception>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace hada {
 namespace {
 
 int chosen_threads = 0;
-thread_local bool in_slice = false;
+thread_local int share = 0;  // of the threads, within a slice; 0 outside
 
 }  // namespace
 
@@ -25,7 +26,8 @@ int threads() {
 }
 
 void for_slices(int count, const std::function<void(int, int)>& work) {
-  const int slices = in_slice ? 1 : std::min(threads(), count);
+  const int most = share > 0 ? share : threads();
+  const int slices = std::min(most, count);
   if (slices <= 1) {
     if (count > 0) work(0, count);
     return;
@@ -33,13 +35,13 @@ void for_slices(int count, const std::function<void(int, int)>& work) {
   const auto edge = [&](int slice) { return int(std::int64_t(count) * slice / slices); };
   std::vector<std::exception_ptr> failures(std::size_t(slices), nullptr);
   const auto run = [&](int slice) {
-    in_slice = slices == threads();
+    const int own = std::exchange(share, most / slices);
     try {
       work(edge(slice), edge(slice + 1));
     } catch (...) {
       failures[std::size_t(slice)] = std::current_exception();
     }
-    in_slice = false;
+    share = own;
   };
   std::vector<std::jthread> helpers;
   for (int slice = 1; slice < slices; ++slice) helpers.emplace_back(run, slice);

@@ -10,7 +10,7 @@ int threads();
 
 /// Calls `work(begin, end)` on equal, contiguous slices of [0, count), one slice to a thread.
 ///
-/// Where the slices take all threads, further calls within one run on its thread alone.
+/// Calls within a slice share what threads are left: with three of four taken, each has one.
 ///
 /// The slices must not write to common places; a sum is formed per row and added up in row order by
 /// the caller, so that the result does not depend on the number of threads. The first exception (in

@@ -46,6 +46,7 @@ class Profile {
     if (!std::isfinite(least_cost_)) return bound;
     auto from = best_;  // each descent starts where the last one ended
     double inside = middle, below = 0.0, outside = bound, above = HUGE_VAL;
+    bool bracketed = false;
     double value = middle + wanted * step;
     for (int k = 0; k < most_steps; ++k) {
       value = std::clamp(value, low, high);
@@ -58,15 +59,17 @@ class Profile {
       } else {
         outside = value;
         above = rise;
+        bracketed = true;
       }
-      if (std::isfinite(above)) {
-        const double share = std::clamp((wanted - below) / (above - below), 0.1, 0.9);
-        value = inside + share * (outside - inside);
+      if (bracketed) {  // half way where nothing is finite any more
+        const double share = (wanted - below) / (above - below);
+        value = inside +
+                (std::isfinite(above) ? std::clamp(share, 0.1, 0.9) : 0.5) * (outside - inside);
       } else {
         value = middle + std::clamp(wanted / std::max(rise, 1e-3), 1.3, 3.0) * (value - middle);
       }
     }
-    return value;
+    return std::clamp(value, low, high);
   }
 
  private:
@@ -103,7 +106,8 @@ std::array<double, 2> profile_interval(const std::vector<double>& packed, int fi
                                        int residual_count, const ResidualsWhileHeld& residuals,
                                        const WhileHeld& while_held) {
   Profile profile(packed, field, bounds, residual_count, residuals, while_held);
-  return {profile.end(-spread, std::sqrt(rise)), profile.end(spread, std::sqrt(rise))};
+  const double step = spread > 0.0 ? spread : 1.0;
+  return {profile.end(-step, std::sqrt(rise)), profile.end(step, std::sqrt(rise))};
 }
 
 }  // namespace hada

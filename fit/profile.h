@@ -23,7 +23,7 @@ using ResidualsWhileHeld = std::function<ResidualFunction(double value)>;
 /// at their best for each value of it, is at most `rise` above the least.
 ///
 /// packed    where the residuals are smallest
-/// spread    a guess of the field's standard deviation, for the first step
+/// spread    a guess of the field's standard deviation, for the first step; 0: there is none
 /// returns   the lower and the upper end; an end that the data do not tell lies on its bound
 ///
 /// Source: Venzon and Moolgavkar, Applied Statistics 37 (1988).

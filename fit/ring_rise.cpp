@@ -14,9 +14,10 @@ constexpr int top_reach = 4;     // within which it is steepest
 constexpr double foot = 0.1;     // of the steepest slope: less is no rise
 constexpr int fewest_edges = 8;  // that a profile is the mean of
 constexpr std::size_t fewest_rings = 8;
-constexpr double clear = 4.0;        // deviations that the slope of the line must differ from 0
-constexpr double most_share = 0.15;  // of a ring: more is not a rise at its beginning
-constexpr double unseen = 0.5;       // of the onset of a ring of which nothing is seen
+constexpr double clear = 4.0;          // deviations that the slope of the line must differ from 0
+constexpr double most_share = 0.15;    // of a ring: more is not a rise at its beginning
+constexpr double most_of_inner = 0.5;  // of the ring inside a boundary, that an onset may take
+constexpr double unseen = 0.5;         // of the onset of a ring of which nothing is seen
 const double even = std::sqrt(3.0), smooth = std::sqrt(5.0);  // onsets, in standard deviations
 
 /// The mean brightness across all edges of a ring, each in its own place.
@@ -44,12 +45,14 @@ std::optional<std::vector<double>> profile_across(const RingChain& ring, const U
   return sum;
 }
 
-/// Variance of where a profile rises, around its steepest place, in columns squared.
-double variance_of_rise(const std::vector<double>& profile) {
+/// Variance of where a profile rises, around its steepest place, in columns squared; none if it
+/// falls.
+std::optional<double> variance_of_rise(const std::vector<double>& profile) {
   std::vector<double> slope(profile.size(), 0.0);
   for (std::size_t k = 1; k + 1 < profile.size(); ++k) slope[k] = profile[k + 1] - profile[k - 1];
   const auto top =
       std::max_element(slope.begin() + reach - top_reach, slope.begin() + reach + top_reach + 1);
+  if (!(*top > 0.0)) return std::nullopt;
   auto from = top, to = top;
   while (from != slope.begin() && *(from - 1) > foot * *top) --from;
   while (to + 1 != slope.end() && *(to + 1) > foot * *top) ++to;
@@ -71,9 +74,10 @@ RingRise ring_rise(const std::vector<RingChain>& rings, const std::vector<double
   std::vector<double> squares, variances;  // of the width of a ring, of its rise
   for (std::size_t k = 0; k + 1 < radii.size(); ++k) {
     const auto profile = profile_across(rings[k], flat);
-    if (!profile) continue;
+    const auto variance = profile ? variance_of_rise(*profile) : std::nullopt;
+    if (!variance) continue;
     squares.push_back(std::pow((radii[k + 1] - radii[k]) / flat.step, 2));
-    variances.push_back(variance_of_rise(*profile));
+    variances.push_back(*variance);
   }
   if (squares.size() < fewest_rings) return {};
   // The line of Theil and Sen: a crack or a false ring beside a boundary does not turn it.
@@ -107,7 +111,8 @@ RingOnset onset_of(const RingRise& rise, const std::vector<double>& radii) {
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const bool last = k + 1 == radii.size();
     const double width = last ? radii[k] - radii[k - 1] : radii[k + 1] - radii[k];
-    onset.before[k] = rise.share * width;
+    const double inner = k > 0 ? radii[k] - radii[k - 1] : radii[k];
+    onset.before[k] = std::min(rise.share * width, most_of_inner * inner);  // radii keep rising
     onset.sigma[k] = last ? unseen * onset.before[k] : rise.sigma * width;
   }
   return onset;

@@ -32,8 +32,9 @@ struct RingOnset {
 RingRise ring_rise(const std::vector<RingChain>& rings, const std::vector<double>& radii,
                    const Unrolled& flat);
 
-/// Where the rise begins, and with it the new year. The
-/// ring of the last radius, of which nothing is seen, is taken to be as wide as the one before.
+/// Where the rise begins, and with it the new year; radii less that are still rising and positive.
+///
+/// The ring of the last radius, of which nothing is seen, is taken to be as wide as the one before.
 RingOnset onset_of(const RingRise& rise, const std::vector<double>& radii);
 
 }  // namespace hada

@@ -124,10 +124,10 @@ SlopeMap means(const SlopeMap& slopes, const Lattice& lattice, const Lattice& co
   return result;
 }
 
-// Heights of slope errors on a lattice, in cells.
-class Errors {
+// Heights that slope errors on a lattice make, in cells.
+class DrawnHeights {
  public:
-  Errors(const Lattice& lattice, Levelling levelling)
+  DrawnHeights(const Lattice& lattice, Levelling levelling)
       : mask_(lattice.mask), levelling_(levelling), solver_(lattice.mask) {
     // A hundredth of the slope errors: heights err by more than they do.
     double squares = 0.0;
@@ -150,25 +150,29 @@ class Errors {
   double tolerance_ = 0.0;
 };
 
-// The mean over draws of the maps that `make()` gives: a function of the draw, with solvers of its
+using Maps = std::vector<Grid<float>>;
+
+// The means over draws of the maps that `make()` gives: a function of the draw, with solvers of its
 // own. Groups of draws are added up apart, so that the sum is the same for any number of threads.
 template <class Make>
-Grid<float> mean_of_draws(int first, int count, const Make& make) {
-  std::vector<Grid<float>> sums(groups);
-  for_each_index(groups, [&](int group) {
-    auto map_of = make();
-    Grid<float>& sum = sums[std::size_t(group)] = map_of(first + group);
-    for (int draw = group + groups; draw < count; draw += groups) {
-      const Grid<float> map = map_of(first + draw);
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += map[i];
+Maps means_of_draws(int first, int count, const Make& make) {
+  const auto add = [](const Maps& maps, Maps& sums) {
+    for (std::size_t m = 0; m < sums.size(); ++m) {
+      for (std::size_t i = 0; i < sums[m].size(); ++i) sums[m][i] += maps[m][i];
     }
+  };
+  std::vector<Maps> sums(groups);
+  for_each_index(groups, [&](int group) {
+    auto maps_of = make();
+    Maps& sum = sums[std::size_t(group)] = maps_of(first + group);
+    for (int draw = group + groups; draw < count; draw += groups) add(maps_of(first + draw), sum);
   });
-  Grid<float> mean = std::move(sums.front());
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    for (std::size_t group = 1; group < groups; ++group) mean[i] += sums[group][i];
-    mean[i] /= float(count);
+  Maps means = std::move(sums.front());
+  for (std::size_t group = 1; group < groups; ++group) add(sums[group], means);
+  for (auto& mean : means) {
+    for (float& value : mean) value /= float(count);
   }
-  return mean;
+  return means;
 }
 
 // The variance of the height on a lattice, in cells^2. Long waves make most of it and differ most
@@ -179,30 +183,35 @@ Grid<float> drawn_variance(const Lattice& lattice, const Lattice& coarse, Levell
   const auto of_coarse = [](const Grid<float>& grid, int row, int col) {
     return scale * grid(row / coarse_factor, col / coarse_factor);
   };
-  const Grid<float> far = mean_of_draws(draws, coarse_draws, [&] {
-    return [&, errors = Errors(coarse, levelling)](int draw) mutable {
-      return errors.squares(drawn_slopes(coarse, draw));
+  const Maps far = means_of_draws(draws, coarse_draws, [&] {
+    return [&, heights = DrawnHeights(coarse, levelling)](int draw) mutable {
+      return Maps{heights.squares(drawn_slopes(coarse, draw))};
     };
   });
-  Grid<float> variance = mean_of_draws(0, draws, [&] {
-    return [&, errors = Errors(lattice, levelling),
-            coarse_errors = Errors(coarse, levelling)](int draw) mutable {
+  Maps near = means_of_draws(0, draws, [&] {
+    return [&, heights = DrawnHeights(lattice, levelling),
+            coarse_heights = DrawnHeights(coarse, levelling)](int draw) mutable {
       const SlopeMap slopes = drawn_slopes(lattice, draw);
-      Grid<float> unseen = errors.squares(slopes);
-      const Grid<float> seen = coarse_errors.squares(means(slopes, lattice, coarse));
-      for (int row = 0; row < unseen.rows(); ++row) {
-        for (int col = 0; col < unseen.cols(); ++col) unseen(row, col) -= of_coarse(seen, row, col);
-      }
-      return unseen;
+      const Grid<float> squares = heights.squares(slopes);
+      return Maps{squares, coarse_heights.squares(means(slopes, lattice, coarse))};
     };
   });
+  const Grid<float> few = smoothed(near.front(), lattice.mask);
+  Grid<float> variance = std::move(near.front());
   for (int row = 0; row < variance.rows(); ++row) {
     for (int col = 0; col < variance.cols(); ++col) {
       float& here = variance(row, col);
-      here = lattice.mask(row, col) ? here + of_coarse(far, row, col) : 0.0f;
+      const float beyond = of_coarse(far[0], row, col) - of_coarse(near[1], row, col);
+      here = lattice.mask(row, col) ? here + beyond : 0.0f;
     }
   }
-  return smoothed(std::move(variance), lattice.mask);
+  variance = smoothed(std::move(variance), lattice.mask);
+  // Where the coarse lattice joins what is torn it is another surface: then the few draws, which
+  // know a variance to a quarter, say that it is not so.
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    variance[i] = std::clamp(variance[i], 0.5f * few[i], 2.0f * few[i]);
+  }
+  return variance;
 }
 
 }  // namespace
@@ -224,7 +233,7 @@ Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sig
       if (!mask(row, col)) continue;
       const int r = row / factor;
       const int c = col / factor;
-      const double drawn = std::max(double(variance(r, c)), 0.0) * factor * factor;
+      const double drawn = double(variance(r, c)) * factor * factor;
       sigma(row, col) = float(pitch * std::sqrt(drawn + lattice.variance_left_out_px(r, c)));
     }
   });

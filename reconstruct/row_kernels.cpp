@@ -238,12 +238,15 @@ HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::
 
 HADA_CLONES_AVX2 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
                                   const std::uint8_t* alive) {
-  add_eights(n, x, even, odd, [=](int i) { return load_flags(alive + i); });
+  add_eights(
+      n, x, even, odd, [=](int i) __attribute__((always_inline)) { return load_flags(alive + i); });
 }
 
 HADA_CLONES_AVX2 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
                                   const float* alive) {
-  add_eights(n, x, even, odd, [=](int i) { return load(alive + i) > 0.0f; });
+  add_eights(
+      n, x, even,
+      odd, [=](int i) __attribute__((always_inline)) { return load(alive + i) > 0.0f; });
 }
 
 }  // namespace hada::row_kernels

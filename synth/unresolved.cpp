@@ -14,7 +14,9 @@ SlopeCovariance unresolved_slopes(const Wrinkle<>& wrinkle, double pitch) {
     const auto [variance, xx, xy, yy] = autocovariance(component);
     left.xx += variance * (2.0 * xx - kept(xx));
     left.yy += variance * (2.0 * yy - kept(yy));
-    const double kept_xy = std::exp(-(xx + yy) * area) * std::sinh(2.0 * xy * area) / area;
+    const double kept_xy =
+        0.5 / area *
+        (std::exp(-(xx + yy - 2.0 * xy) * area) - std::exp(-(xx + yy + 2.0 * xy) * area));
     left.xy += variance * (2.0 * xy - kept_xy);
   }
   return left;

@@ -48,5 +48,7 @@ export async function work(verb, body) {
 }
 
 const events = new EventSource('api/job/events');
+// A server that was started anew counts from the beginning, and says first where it stands.
+events.addEventListener('open', () => { newest = { ...newest, changes: -1 }; });
 events.addEventListener('message', (event) => heard(JSON.parse(event.data)));
 part('job-cancel').addEventListener('click', () => attempt(async () => heard(await post('job/cancel'))));

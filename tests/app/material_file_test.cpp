@@ -41,8 +41,10 @@ TEST(MaterialFile, ReadsWhatItWrote) {
 
 TEST(MaterialFile, TakesNoDamagedRecordOfAFit) {
   const std::string whole = material_text(fitted());
-  for (const auto& [part, damaged] :
-       {std::pair{"\"A remark.\"", "7"}, {"\"starts\": 8", "\"starts\": []"}}) {
+  for (const auto& [part, damaged] : {std::pair{"\"A remark.\"", "7"},
+                                      {"\"starts\": 8", "\"starts\": []"},
+                                      {"7.5", "1.5"},
+                                      {"7.5", "\"far\""}}) {
     std::string text = whole;
     ASSERT_NE(text.find(part), std::string::npos) << part;
     text.replace(text.find(part), std::string(part).size(), damaged);

@@ -68,6 +68,14 @@ TEST(Threads, AreNotAskedForTwice) {
     });
   });
   EXPECT_EQ(slices, (std::vector<int>{1, 1, 1}));
+  set_threads(4);
+  std::vector<int> ends(2, 0);
+  for_slices(2, [&](int slice, int) {
+    for_slices(100, [&, slice](int begin, int end) {
+      if (begin == 0) ends[std::size_t(slice)] = end;
+    });
+  });
+  EXPECT_EQ(ends, (std::vector<int>{50, 50}));
   set_threads(0);
 }
 

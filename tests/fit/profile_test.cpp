@@ -50,6 +50,18 @@ TEST(Profile, KeepsTheOthersWhereTheyBelong) {
   EXPECT_NEAR(low, 3.0 - root * free, 0.02 * free);
 }
 
+TEST(Profile, NeedsNoSpreadAndStopsWhereNothingIsFinite) {
+  // A number measured as 0, with deviation 1, that must lie below 1.5 for anything to be known.
+  const auto residuals = [](const double* at, double* r, double* jacobian) {
+    r[0] = at[0] < 1.5 ? at[0] : std::nan("");
+    if (jacobian) jacobian[0] = 1.0;
+  };
+  const auto [low, high] = profile_interval({0.0}, 0, 0.0, rise_of_one, {{-9.0, 9.0}}, 1,
+                                            [&](double) { return residuals; });
+  EXPECT_NEAR(low, -root, 0.02);
+  EXPECT_NEAR(high, 1.5, 0.01);  // 16 steps, half way again and again
+}
+
 TEST(Profile, IsAsLopsidedAsTheLikelihood) {
   // Ten exponential numbers of mean 1: the logarithm s of their expectation costs 10 (s + e^-s).
   const auto residuals = [](const double* at, double* r, double* jacobian) {

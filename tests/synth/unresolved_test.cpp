@@ -45,6 +45,7 @@ TEST(Unresolved, IsNothingForAFineMapAndAllForACoarseOne) {
   const auto all = slopes_of(synthesize(sheet, {1024, 1024, 0.02, Unit::mm}, 5).height, 1, 0.02);
   EXPECT_LT(fine.xx, 1e-5 * all.xx);
   EXPECT_NEAR(coarse.xx, all.xx, 0.12 * all.xx);
+  EXPECT_NEAR(coarse.xy, all.xy, 0.12 * all.xx);
   EXPECT_EQ(roughness_of({}), 0.0);
   EXPECT_DOUBLE_EQ(roughness_of({0.005, 0.0, 0.005}), std::sqrt(0.1));
   EXPECT_EQ(roughness_of({5.0, 0.0, 5.0}), 1.0);
