@@ -80,7 +80,7 @@ void read_record(const Json& json, JsonObject& object, MaterialFile& file) {
     if (object.has("on_bound")) json["on_bound"].get_to(file.on_bound);
     if (object.has("remarks")) json["remarks"].get_to(file.remarks);
     if (object.has("intervals")) {
-      for (const auto& [path, ends] : json["intervals"].get<Json::object_t>()) {
+      for (const auto& [path, ends] : json["intervals"].get_ref<const Json::object_t&>()) {
         const auto [low, high] = ends.get<std::array<double, 2>>();
         if (!(low <= high))
           throw Error(object.where() + ": the interval of " + path + " is empty; fit again");
