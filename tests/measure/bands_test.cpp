@@ -100,7 +100,7 @@ TEST(Bands, AreTheSameAtAnyThreadCount) {
 }
 
 TEST(Bands, HaveTheMeanFrequencyOfLongWaves) {
-  // Waves of 45 mm on a sheet of 200 x 150 mm. Side lobes of a cut once made them 6 % shorter.
+  // Waves of 45 mm on a sheet of 200 x 150 mm. Side lobes of a cut would make them 6 % shorter.
   const auto density = [](double fx, double fy) {
     const double u = (std::abs(fx) - 1.0 / 45.0) * 45.0 / 0.25, v = fy * 45.0 / 0.4;
     return std::exp(-(u * u + v * v));
