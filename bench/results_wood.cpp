@@ -81,9 +81,13 @@ std::string left_out_rows(const std::filesystem::path& folder) {
                      verdict(c * e < 0.0 && apart <= 0.1)});
 }
 
+// Of 90 % intervals.
+bool within(double share) {
+  return share >= 0.85 && share <= 0.95;
+}
+
 std::string made_rows() {
   const auto s = study_stems(seeds);
-  const auto within = [](double share) { return share >= 0.85 && share <= 0.95; };
   return row({fmt::format("{} made end grains: pith, % of the radius", seeds), "0.2",
               fmt::format("{:.4f}", 100.0 * s.pith_share), verdict(s.pith_share <= 0.002)}) +
          row({"their ring radii, px rms", "0.3", fmt::format("{:.3f}", s.radii_px),
@@ -112,7 +116,7 @@ std::string interlock_rows() {
          row({"their period, median error, %", "5", fmt::format("{:.2f}", 100.0 * s.period),
               verdict(s.period <= 0.05)}) +
          row({"its 90 % intervals, %", "85 to 95", fmt::format("{:.0f}", 100.0 * s.coverage),
-              verdict(s.coverage >= 0.85 && s.coverage <= 0.95)});
+              verdict(within(s.coverage))});
 }
 
 std::string vessel_rows() {
