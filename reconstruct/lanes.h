@@ -6,6 +6,10 @@
 
 #include "reconstruct/tile.h"
 
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
 /// Eight neighbouring pixels at a time, for the sources that are compiled for more than one
 /// machine.
 ///
@@ -26,6 +30,27 @@ using LaneBytes = std::uint8_t __attribute__((vector_size(32)));
 
 [[gnu::always_inline]] inline void store(float* to, const Lanes& lanes) {
   std::memcpy(to, &lanes, sizeof lanes);
+}
+
+/// As `store`, past the caches: memory that is only written need not be read first. `finish_stores`
+/// must follow before another thread looks.
+///
+/// to  a multiple of 32 bytes
+[[gnu::always_inline]] inline void store_past_caches(float* to, const Lanes& lanes) {
+#ifdef __SSE__  // in halves: what every processor of the kind can do
+  float halves[lane_count];
+  std::memcpy(halves, &lanes, sizeof lanes);
+  _mm_stream_ps(to, _mm_loadu_ps(halves));
+  _mm_stream_ps(to + lane_count / 2, _mm_loadu_ps(halves + lane_count / 2));
+#else
+  store(to, lanes);
+#endif
+}
+
+[[gnu::always_inline]] inline void finish_stores() {
+#ifdef __SSE__
+  _mm_sfence();
+#endif
 }
 
 /// Yes where a byte is not 0.

@@ -1,5 +1,7 @@
 #include "reconstruct/unit_normals.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -50,6 +52,27 @@ TEST(PutUnitNormals, SplitTheAlbedoOffAnyNumberOfPixels) {
     }
     EXPECT_EQ(out.normals[std::size_t(count)], Eigen::Vector3f(7.0f, 7.0f, 7.0f));
     EXPECT_EQ(out.rho[std::size_t(count)], 7.0f);
+  }
+}
+
+// Wherever the output lies, and so whichever way it is written, it is the same.
+TEST(PutUnitNormals, GiveTheSameBytesAnywhereInMemory) {
+  constexpr int count = 37;
+  const Tile tile = answers(count);
+  Output expected(count);
+  put_unit_normals(tile, 0, count, expected.place());
+  Output out(count + 40);
+  for (int at = 0; at < 32; ++at) {
+    std::fill(out.normals.begin(), out.normals.end(), Eigen::Vector3f(7.0f, 7.0f, 7.0f));
+    std::fill(out.rho.begin(), out.rho.end(), 7.0f);
+    // At some places normals and albedo begin a vector together, at others never.
+    const auto pixel = std::size_t(at);
+    const std::size_t rho = pixel % 5 == 0 ? pixel : pixel % 7;
+    put_unit_normals(tile, 0, count, {out.normals[pixel].data(), &out.rho[rho], out.mask.data()});
+    for (std::size_t i = 0; i <= count; ++i) {
+      EXPECT_EQ(out.normals[pixel + i], expected.normals[i]) << at;
+      EXPECT_EQ(out.rho[rho + i], expected.rho[i]) << at;
+    }
   }
 }
 
