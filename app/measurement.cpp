@@ -167,7 +167,7 @@ Spectrum expected_spectrum(const Material& material, const Spectrum& like) {
           for_each_index(expected.power.rows(), [&](int row) {
             for (int col = 0; col < expected.power.cols(); ++col) {
               expected.power(row, col) =
-                  psd(m, like.fx(col), like.fy(row), like.window_x, like.window_y);
+                  psd(m, like.fx(col), like.fy(row), {like.window_x, 0.0, like.window_y});
             }
           });
         }

@@ -51,6 +51,7 @@ struct PartList {
   std::vector<Part> Owner::*member;
   int fewest;
   int most;
+  bool optional = false;  // whether a file leaves it out where there are none
 };
 
 /// Numbers that all mean the same: the radii of rings, the two coordinates of a point.

@@ -27,7 +27,9 @@ Grid<double> taper_overlap(const Grid<double>& taper) {
 Grid<double> expected_power(const Wrinkle<>& wrinkle, const Grid<double>& overlap,
                             const Extent& extent) {
   std::vector<GaussianCovariance<>> covariances;
+  std::vector<RepeatedCovariance<>> repeated;
   for (const auto& component : wrinkle.components) covariances.push_back(autocovariance(component));
+  for (const auto& noise : wrinkle.repeated) repeated.push_back(autocovariance(noise));
 
   // Lags that differ by the size of the map are one to its ordinates.
   Grid<double> folded(extent.rows, extent.cols);
@@ -37,11 +39,8 @@ Grid<double> expected_power(const Wrinkle<>& wrinkle, const Grid<double>& overla
       for (int col = 0; col < overlap.cols(); ++col) {
         const double dx = signed_frequency(col, overlap.cols()) * extent.pitch;
         double sum = 0.0;
-        for (const auto& [variance, xx, xy, yy] : covariances) {
-          constexpr double nothing = 45.0;  // e^-45 is less than rounding
-          const double fall = xx * dx * dx + 2.0 * xy * dx * dy + yy * dy * dy;
-          if (fall < nothing) sum += variance * std::exp(-fall);
-        }
+        for (const auto& covariance : covariances) sum += value_at(covariance, dx, dy);
+        for (const auto& covariance : repeated) sum += value_at(covariance, dx, dy);
         folded(row, col % extent.cols) += sum * overlap(lag_row, col);
       }
     }
@@ -83,12 +82,14 @@ std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrink
     const double image_fx = cell.fx - std::copysign(1.0 / pitch, cell.fx);
     const double image_fy = cell.fy - std::copysign(1.0 / pitch, cell.fy);
     double aliased = 0.0;
-    for (const auto& component : wrinkle.components) {
+    const auto add = [&](const auto& noise) {
       // Two amplitudes a and b in step add 2 a b to their power a^2 + b^2.
-      const double itself = psd(component, cell.fx, cell.fy);
-      aliased += 2.0 * std::sqrt(itself * psd(component, image_fx, cell.fy));
-      aliased += 2.0 * std::sqrt(itself * psd(component, cell.fx, image_fy));
-    }
+      const double itself = psd(noise, cell.fx, cell.fy);
+      aliased += 2.0 * std::sqrt(itself * psd(noise, image_fx, cell.fy));
+      aliased += 2.0 * std::sqrt(itself * psd(noise, cell.fx, image_fy));
+    };
+    for (const auto& component : wrinkle.components) add(component);
+    for (const auto& noise : wrinkle.repeated) add(noise);
     const double most = options.most_correction;
     if (model[i] > faintest && cell.correction < most && cell.correction * most > 1.0 &&
         aliased <= options.most_aliased * model[i] &&

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <ceres/jet.h>
@@ -12,12 +15,10 @@
 
 namespace hada {
 
-/// What one component sends into a cell.
-template <class T>
-T density_in(const Cell& cell, const GaussianCovariance<T>& covariance) {
-  const GaussianCovariance<T> seen{covariance.variance, covariance.xx + cell.xx,
-                                   covariance.xy + cell.xy, covariance.yy + cell.yy};
-  return psd(seen, cell.fx, cell.fy);
+/// What a noise function of that autocovariance sends into a cell.
+template <class Covariance>
+auto density_in(const Cell& cell, const Covariance& covariance) {
+  return density_of(narrowed(covariance, {cell.xx, cell.xy, cell.yy}))(cell.fx, cell.fy);
 }
 
 /// What arrives of the power that all components and the floor send.
@@ -30,10 +31,11 @@ T received(const Cell& cell, const T& sent) {
 template <class T>
 std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cells) {
   std::vector<T> sums(cells.size(), wrinkle.floor_mm4);
-  for (const auto& component : wrinkle.components) {
-    const auto covariance = autocovariance(component);
+  const auto add = [&](const auto& covariance) {
     for (std::size_t i = 0; i < cells.size(); ++i) sums[i] += density_in(cells[i], covariance);
-  }
+  };
+  for (const auto& component : wrinkle.components) add(autocovariance(component));
+  for (const auto& noise : wrinkle.repeated) add(autocovariance(noise));
   for (std::size_t i = 0; i < cells.size(); ++i) sums[i] = received(cells[i], sums[i]);
   return sums;
 }
@@ -63,6 +65,14 @@ T deviance_residual(const T& d) {
   return plain < 0.0 ? -root : root;
 }
 
+/// Packed fields as dual numbers, each a direction of its own.
+template <int fields>
+std::array<ceres::Jet<double, fields>, std::size_t(fields)> seeded(const double* packed) {
+  std::array<ceres::Jet<double, fields>, std::size_t(fields)> point;
+  for (int k = 0; k < fields; ++k) point[std::size_t(k)] = {packed[k], k};
+  return point;
+}
+
 /// Residuals of a wrinkle, one for each cell: a function of its measured and its expected power.
 ///
 /// The derivatives are those that `evaluator` would find for any material, but each component is
@@ -70,60 +80,87 @@ T deviance_residual(const T& d) {
 template <class OfPower>
 class CellResiduals {
  public:
-  CellResiduals(const std::vector<Cell>& cells, const OfPower& of_power)
-      : cells_(cells), of_power_(of_power) {}
+  /// say_of_all  weight of one more residual, the last: the logarithm of the measured over the
+  ///             expected power of all cells together; 0: none
+  CellResiduals(const std::vector<Cell>& cells, const OfPower& of_power, double say_of_all = 0.0)
+      : cells_(cells), of_power_(of_power), say_of_all_(say_of_all) {}
+
+  int count() const { return int(cells_.size()) + (say_of_all_ > 0.0 ? 1 : 0); }
 
   template <class T>
   void operator()(const Wrinkle<T>& wrinkle, T* r) const {
     const auto model = densities(wrinkle, cells_);
     for (std::size_t i = 0; i < cells_.size(); ++i) r[i] = of_power_(cells_[i], model[i]);
+    if (say_of_all_ == 0.0) return;
+    using std::log;
+    T expected(0.0);
+    double measured = 0.0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      expected += double(cells_[i].count) * model[i];
+      measured += cells_[i].count * cells_[i].power;
+    }
+    r[cells_.size()] = say_of_all_ * log(measured / expected);
   }
 
   /// The residuals at `packed` and their derivatives, a row each.
   void evaluate(const Wrinkle<>& shape, const double* packed, double* residuals,
                 double* jacobian) const {
-    constexpr int stride = 4;  // fields of a component
-    using Jet = ceres::Jet<double, stride>;
-    const int parts = int(shape.components.size());
-    const int fitted = stride * parts + 1;                          // those that the spectrum knows
-    const int size = fitted + int(Wrinkle<>::fields().size()) - 1;  // ridges leave it alone
-    std::vector<Jet> point(packed, packed + size);
-    const auto moving = [&](int first, int count, const auto& use) {
-      for (int k = 0; k < count; ++k) point[std::size_t(first + k)].v[k] = 1.0;
-      use(unpack(shape, point.data()));
-      for (int k = 0; k < count; ++k) point[std::size_t(first + k)].v.setZero();
-    };
-    std::vector<double> sent(cells_.size(), 0.0);
-    for (int part = 0; part < parts; ++part) {
-      moving(stride * part, stride, [&](const Wrinkle<Jet>& wrinkle) {
-        const auto covariance = autocovariance(wrinkle.components[std::size_t(part)]);
-        for (std::size_t i = 0; i < cells_.size(); ++i) {
-          const Jet density = density_in(cells_[i], covariance);
-          sent[i] += density.a;
-          for (int k = 0; k < stride; ++k) {
-            jacobian[int(i) * size + stride * part + k] = density.v[k];
-          }
-        }
-      });
-    }
-    moving(fitted - 1, 1, [&](const Wrinkle<Jet>& wrinkle) {
-      for (std::size_t i = 0; i < cells_.size(); ++i) {
-        sent[i] += wrinkle.floor_mm4.a;
-        jacobian[int(i) * size + fitted - 1] = wrinkle.floor_mm4.v[0];
-        for (int k = fitted; k < size; ++k) jacobian[int(i) * size + k] = 0.0;
-      }
-    });
+    const int size = int(pack(shape).size());
+    Sums sums{std::vector<double>(cells_.size(), 0.0), jacobian, size};
+    int first = 0;  // of the fields of a part
+    for (const auto& component : shape.components) first += add(component, packed, first, sums);
+    for (const auto& noise : shape.repeated) first += add(noise, packed, first, sums);
+    std::vector<ceres::Jet<double, 1>> point(packed, packed + size);
+    point[std::size_t(first)].v[0] = 1.0;
+    const auto floor = unpack(shape, point.data()).floor_mm4;
+    double* const last = jacobian + std::ptrdiff_t(cells_.size()) * size;
+    if (say_of_all_ > 0.0) std::fill(last, last + size, 0.0);
+    double expected = 0.0, measured = 0.0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const ceres::Jet<double, 1> power(sent[i], 0);
-      const auto residual = of_power_(cells_[i], received(cells_[i], power));
+      const Cell& cell = cells_[i];
+      double* const row = jacobian + std::ptrdiff_t(i) * size;
+      row[first] = floor.v[0];
+      std::fill(row + first + 1, row + size, 0.0);  // ridges leave the spectrum alone
+      const ceres::Jet<double, 1> sent(sums.sent[i] + floor.a, 0);
+      const auto power = received(cell, sent);
+      const auto residual = of_power_(cell, power);
       residuals[i] = residual.a;
-      for (int k = 0; k < size; ++k) jacobian[int(i) * size + k] *= residual.v[0];
+      expected += cell.count * power.a;
+      measured += cell.count * cell.power;
+      if (say_of_all_ > 0.0)
+        for (int k = 0; k < size; ++k) last[k] += cell.count * power.v[0] * row[k];
+      for (int k = 0; k < size; ++k) row[k] *= residual.v[0];
     }
+    if (say_of_all_ == 0.0) return;
+    residuals[cells_.size()] = say_of_all_ * std::log(measured / expected);
+    for (int k = 0; k < size; ++k) last[k] *= -say_of_all_ / expected;
   }
 
  private:
+  struct Sums {
+    std::vector<double> sent;  // power by cell
+    double* jacobian;          // its derivatives, rows of `size`
+    int size;
+  };
+
+  /// What a part sends, and its derivatives by its fields, the first of which is `first` of
+  /// `packed`. Returns the number of its fields.
+  template <template <class> class Part>
+  int add(const Part<double>& part, const double* packed, int first, Sums& sums) const {
+    constexpr int fields = int(Part<double>::fields().size());
+    const auto covariance = autocovariance(unpack(part, seeded<fields>(packed + first).data()));
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const auto density = density_in(cells_[i], covariance);
+      sums.sent[i] += density.a;
+      double* const row = sums.jacobian + std::ptrdiff_t(i) * sums.size;
+      for (int k = 0; k < fields; ++k) row[first + k] = density.v[k];
+    }
+    return fields;
+  }
+
   const std::vector<Cell>& cells_;
   OfPower of_power_;
+  double say_of_all_;
 };
 
 /// By how much the logarithm of the mean of `n` exponential numbers falls short of that of their

@@ -77,6 +77,7 @@ Json json_of(const M& material) {
   if constexpr (HasParts<M>) {
     const auto add_list = [&](const auto& list) {
       Json parts = Json::array();
+      if (list.optional && (material.*(list.member)).empty()) return;
       for (const auto& part : material.*(list.member)) parts.push_back(json_of(part));
       json[std::string(list.name)] = std::move(parts);
     };
@@ -130,9 +131,10 @@ M material_from(JsonObject object) {
     const auto read_list = [&](const auto& list) {
       auto& parts = material.*(list.member);
       const std::string key(list.name);
+      parts.clear();
+      if (list.optional && !object.has(key)) return;
       const Json& json = object.list(key);
       check_count(list, json.size());
-      parts.clear();
       using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
       for (std::size_t i = 0; i < json.size(); ++i) {
         parts.push_back(material_from<Part>(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "core/parallel.h"
 #include "synth/ridges.h"
@@ -142,6 +143,39 @@ class Layer {
   std::uint64_t key_;
 };
 
+/// How loud white noise must be heard again n periods away, n = 0, 1, ...: at a distance of n
+/// periods the sum resembles itself by exp(-n^2 / (2 repeats^2)). The coefficients of the series of
+/// the root of the spectrum's comb.
+std::vector<double> echoes(const RepeatedNoise<>& noise) {
+  const double width = density_of(autocovariance(noise)).width;
+  const int last = int(std::ceil(5.0 * noise.repeats)) + 3;  // exp(-25)
+  const int phases = 16 * last;  // of a smooth periodic function: the mean of them is the integral
+  std::vector<double> loudness;
+  for (int n = 0; n <= last; ++n) {
+    double sum = 0.0;
+    for (int k = 0; k < phases; ++k) {
+      const double phase = double(k) / phases;
+      sum += std::sqrt(comb(phase, width)) * std::cos(2.0 * std::numbers::pi * n * phase);
+    }
+    loudness.push_back(sum / phases);
+  }
+  return loudness;
+}
+
+void add_repeated(Grid<float>& field, const RepeatedNoise<>& noise, std::uint64_t key,
+                  const Extent& window, const std::array<double, 2>& middle) {
+  const auto covariance = autocovariance(noise);
+  WrinkleComponent<> kernel = kernel_of(noise);
+  const auto loudness = echoes(noise);
+  const int last = int(loudness.size()) - 1;
+  for (int n = -last; n <= last; ++n) {
+    kernel.amplitude_mm =
+        std::sqrt(covariance.kernel.variance) * loudness[std::size_t(std::abs(n))];
+    Layer(kernel, key)
+        .add_to(field, window, {middle[0] - n * covariance.x, middle[1] - n * covariance.y});
+  }
+}
+
 void add_floor(Grid<float>& field, const Extent& window, const std::array<double, 2>& middle,
                double density, std::uint64_t key) {
   const double deviation = std::sqrt(density) / window.pitch;
@@ -168,6 +202,8 @@ Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
   std::int64_t layer = 0;
   for (const auto& component : wrinkle.components)
     Layer(component, mixed(seed, ++layer)).add_to(field, wider, middle);
+  for (const auto& noise : wrinkle.repeated)
+    add_repeated(field, noise, mixed(seed, ++layer), wider, middle);
   if (has_ridges(wrinkle)) {
     field = crop(with_layers(std::move(field), wrinkle, window.pitch, false), margin, margin,
                  window.rows, window.cols);

@@ -13,7 +13,8 @@ namespace hada {
 ///
 /// Each noise function is the sum of its kernels around the nodes of a lattice along its axes, 1.5
 /// standard deviations apart, each node with a normal number of its own: white noise so sampled
-/// differs from the whole by 2e-8 of the power. The floor is white from pixel to pixel: places that
+/// differs from the whole by 2e-8 of the power. One that comes back is heard again, fainter, period
+/// after period. The floor is white from pixel to pixel: places that
 /// fall into one cell of a lattice of the window's pitch share its number.
 ///
 /// middle   of the window on the sheet, in the unit of the extent

@@ -99,20 +99,18 @@ void sharpen_line(LineSharpener& sharpener, std::vector<float>& line, std::vecto
   std::copy_n(longer.begin() + margin, n, line.begin());
 }
 
-double variance_of(const Wrinkle<>& wrinkle) {
-  double sum = 0.0;
-  for (const auto& component : wrinkle.components)
-    sum += component.amplitude_mm * component.amplitude_mm;
-  return sum;
-}
-
-// The root mean square of the Laplacian: the fourth derivatives of the autocovariance at 0.
+// The root mean square of the Laplacian: the fourth derivatives of the autocovariance at 0. That a
+// kernel comes back is left out: its curvature is felt within a period.
 double mean_curvature(const Wrinkle<>& wrinkle) {
   double sum = 0.0;
-  for (const auto& component : wrinkle.components) {
-    const auto [variance, xx, xy, yy] = autocovariance(component);
-    sum += variance * (8.0 * (xx * xx + yy * yy + 2.0 * xy * xy) + 4.0 * (xx + yy) * (xx + yy));
-  }
+  const auto add = [&](double amplitude, const GaussianCovariance<>& kernel) {
+    const auto [variance, xx, xy, yy] = kernel;
+    sum += amplitude * amplitude *
+           (8.0 * (xx * xx + yy * yy + 2.0 * xy * xy) + 4.0 * (xx + yy) * (xx + yy));
+  };
+  for (const auto& component : wrinkle.components)
+    add(component.amplitude_mm, autocovariance(component));
+  for (const auto& noise : wrinkle.repeated) add(noise.amplitude_mm, autocovariance(noise).kernel);
   return std::sqrt(sum);
 }
 

@@ -4,21 +4,49 @@
 #include <cmath>
 
 namespace hada {
+namespace {
+
+/// Of all slopes: the second derivatives of the autocovariance at 0, with the other sign.
+SlopeCovariance all_slopes(const GaussianCovariance<>& covariance) {
+  const auto& [variance, xx, xy, yy] = covariance;
+  return {2.0 * variance * xx, 2.0 * variance * xy, 2.0 * variance * yy};
+}
+
+SlopeCovariance all_slopes(const RepeatedCovariance<>& covariance) {
+  const auto& [kernel, x, y, fall] = covariance;
+  // Of the kernel n periods away, whose slope at 0 is 2 M n p times its value.
+  const double across = kernel.xx * x + kernel.xy * y, up = kernel.xy * x + kernel.yy * y;
+  const double a = fall + kernel.exponent(x, y);
+  constexpr double nothing = 45.0;  // e^-45 is less than rounding
+  SlopeCovariance sum;
+  for (double n = -std::floor(std::sqrt(nothing / a)); a * n * n <= nothing; ++n) {
+    const double value = kernel.variance * std::exp(-a * n * n);
+    sum.xx += value * (2.0 * kernel.xx - 4.0 * n * n * across * across);
+    sum.xy += value * (2.0 * kernel.xy - 4.0 * n * n * across * up);
+    sum.yy += value * (2.0 * kernel.yy - 4.0 * n * n * up * up);
+  }
+  return sum;
+}
+
+template <class Covariance>
+void add_unresolved(const Covariance& covariance, double pitch, SlopeCovariance& left) {
+  const auto at = [&](int cols, int rows) {
+    return value_at(covariance, cols * pitch, rows * pitch);
+  };
+  const double area = 2.0 * pitch * pitch;
+  const SlopeCovariance all = all_slopes(covariance);
+  left.xx += all.xx - (at(0, 0) - at(2, 0)) / area;
+  left.yy += all.yy - (at(0, 0) - at(0, 2)) / area;
+  left.xy += all.xy - (at(1, -1) - at(1, 1)) / area;
+}
+
+}  // namespace
 
 SlopeCovariance unresolved_slopes(const Wrinkle<>& wrinkle, double pitch) {
   SlopeCovariance left;
-  const double area = pitch * pitch;
-  // (1 - exp(-4 q p^2)) / (2 p^2): what differences over two pixels keep of 2 q.
-  const auto kept = [&](double q) { return -std::expm1(-4.0 * q * area) / (2.0 * area); };
-  for (const auto& component : wrinkle.components) {
-    const auto [variance, xx, xy, yy] = autocovariance(component);
-    left.xx += variance * (2.0 * xx - kept(xx));
-    left.yy += variance * (2.0 * yy - kept(yy));
-    const double kept_xy =
-        0.5 / area *
-        (std::exp(-(xx + yy - 2.0 * xy) * area) - std::exp(-(xx + yy + 2.0 * xy) * area));
-    left.xy += variance * (2.0 * xy - kept_xy);
-  }
+  for (const auto& component : wrinkle.components)
+    add_unresolved(autocovariance(component), pitch, left);
+  for (const auto& noise : wrinkle.repeated) add_unresolved(autocovariance(noise), pitch, left);
   return left;
 }
 

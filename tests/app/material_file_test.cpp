@@ -39,6 +39,18 @@ TEST(MaterialFile, ReadsWhatItWrote) {
   EXPECT_EQ(parameter_rows(read)[5].number, "3 (95 %: 2 to 7.5)");
 }
 
+TEST(MaterialFile, NamesWhatComesBackOnlyWhereThereIsSome) {
+  MaterialFile file = fitted();
+  EXPECT_EQ(material_text(file).find("repeated"), std::string::npos);
+  auto& wrinkle = std::get<Wrinkle<>>(file.material);
+  wrinkle.repeated = {{0.1, 0.4, 0.2, 0.3, 1.5, 0.9, 2.0}};
+  std::get<Wrinkle<>>(*file.sigma).repeated = {{0.01, 0.02, 0.03, 0.0, 0.05, 0.06, 0.07}};
+  const MaterialFile read = material_of(material_text(file), "m.json");
+  EXPECT_EQ(values_of(read.material), values_of(file.material));
+  EXPECT_EQ(values_of(*read.sigma), values_of(*file.sigma));
+  EXPECT_EQ(std::get<Wrinkle<>>(read.material).repeated.front().period_mm, 1.5);
+}
+
 TEST(MaterialFile, TakesNoDamagedRecordOfAFit) {
   const std::string whole = material_text(fitted());
   for (const auto& [part, damaged] : {std::pair{"\"A remark.\"", "7"},

@@ -101,5 +101,34 @@ TEST(EndlessField, IsTheSameAtAnyThreadCount) {
   EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin()));
 }
 
+TEST(EndlessField, ComesBackAfterAPeriod) {
+  Wrinkle<> threads;
+  threads.components.clear();
+  threads.repeated = {{.amplitude_mm = 0.2,
+                       .long_mm = 0.25,
+                       .short_mm = 0.15,
+                       .angle_rad = 0.5,
+                       .period_mm = 2.0,
+                       .period_angle_rad = 0.0,
+                       .repeats = 1.0}};
+  double variance = 0.0, once = 0.0, twice = 0.0;
+  int count = 0;
+  for (int k = 0; k < 40; ++k) {
+    const auto field = endless_field(threads, window, {50.0 * k, -30.0 * k}, 5);
+    for (int row = 0; row < window.rows; ++row) {
+      for (int col = 0; col + 40 < window.cols; ++col, ++count) {
+        variance += field(row, col) * field(row, col);
+        once += field(row, col) * field(row, col + 20);
+        twice += field(row, col) * field(row, col + 40);
+      }
+    }
+  }
+  // 40 windows of 9.6 x 8.8 mm hold 40 x 85 / (4 pi 0.25 x 0.15) / 2.5 = 2900 independent
+  // patches: a correlation is known to 2 %; three times that.
+  EXPECT_NEAR(variance / count / 0.04, 1.0, 0.08);
+  EXPECT_NEAR(once / variance, std::exp(-0.5), 0.06);
+  EXPECT_NEAR(twice / variance, std::exp(-2.0), 0.06);
+}
+
 }  // namespace
 }  // namespace hada

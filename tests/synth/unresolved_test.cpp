@@ -40,6 +40,25 @@ TEST(Unresolved, IsWhatACoarserMapLeavesOut) {
   EXPECT_GT(std::abs(left.xy), tolerance);  // the sheet has a direction, and the sign is told
 }
 
+TEST(Unresolved, KnowsWhatComesBack) {
+  Wrinkle<> ribs;
+  ribs.components = {{0.02, 0.5, 0.2, 0.4}};
+  ribs.repeated = {{.amplitude_mm = 0.1,
+                    .long_mm = 0.4,
+                    .short_mm = 0.25,
+                    .angle_rad = 0.3,
+                    .period_mm = 0.5,
+                    .period_angle_rad = 1.0,
+                    .repeats = 1.2}};
+  const auto height = synthesize(ribs, {.rows = 1024, .cols = 1024, .pitch = 0.02}, 5).height;
+  const auto fine = slopes_of(height, 1, 0.02), coarse = slopes_of(height, 12, 0.02);
+  const auto left = unresolved_slopes(ribs, 0.24), tiny = unresolved_slopes(ribs, 0.02);
+  const double tolerance = 0.12 * (left.xx + left.yy);  // as above
+  EXPECT_NEAR(fine.xx - coarse.xx, left.xx - tiny.xx, tolerance);
+  EXPECT_NEAR(fine.yy - coarse.yy, left.yy - tiny.yy, tolerance);
+  EXPECT_NEAR(fine.xy - coarse.xy, left.xy - tiny.xy, tolerance);
+}
+
 TEST(Unresolved, IsNothingForAFineMapAndAllForACoarseOne) {
   const auto fine = unresolved_slopes(sheet, 1e-4), coarse = unresolved_slopes(sheet, 1e3);
   const auto all = slopes_of(synthesize(sheet, {1024, 1024, 0.02, Unit::mm}, 5).height, 1, 0.02);

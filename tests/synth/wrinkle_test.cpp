@@ -29,8 +29,10 @@ TEST(Wrinkle, HasTheVarianceOfItsAmplitude) {
 
 TEST(Wrinkle, KeepsItsVarianceUnderAWindow) {
   // The window multiplies the autocovariance by 1 at zero lag.
-  EXPECT_NEAR(integral([](double fx, double fy) { return psd(oriented, fx, fy, 0.1, 0.02); }), 0.09,
-              1e-9);
+  EXPECT_NEAR(integral([](double fx, double fy) {
+                return psd(oriented, fx, fy, {0.1, 0.0, 0.02});
+              }),
+              0.09, 1e-9);
 }
 
 TEST(Wrinkle, IsTheFourierTransformOfItsKernelSquared) {

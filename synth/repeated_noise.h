@@ -1,0 +1,161 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/field.h"
+#include "core/scalar.h"
+#include "synth/noise_function.h"
+
+namespace hada {
+
+/// A noise function that comes back: threads, a weave, ribs.
+///
+/// Its autocovariance is that of a plain noise function, seen again at every multiple n of the
+/// period p and fainter by exp(-n^2 / (2 repeats^2)). The power so gathers on lines across the
+/// period, 1 / |p| apart.
+template <class T = double>
+struct RepeatedNoise {
+  T amplitude_mm{0.1};
+  T long_mm{0.4};
+  T short_mm{0.2};
+  T angle_rad{0.0};
+  T period_mm{1.0};
+  T period_angle_rad{0.0};
+  T repeats{2.0};
+
+  static constexpr auto fields() {
+    using F = Field<RepeatedNoise, T>;
+    return std::array{
+        F{"amplitude_mm", &RepeatedNoise::amplitude_mm, 1e-6, 100.0, Scale::log, "mm",
+          "standard deviation of the height"},
+        F{"long_mm", &RepeatedNoise::long_mm, 1e-3, 1000.0, Scale::log, "mm",
+          "standard deviation of the kernel along its long axis"},
+        F{"short_mm", &RepeatedNoise::short_mm, 1e-3, 1000.0, Scale::log, "mm",
+          "standard deviation of the kernel across its long axis"},
+        F{"angle_rad", &RepeatedNoise::angle_rad, 0.0, std::numbers::pi, Scale::half_turn, "rad",
+          "direction of the long axis, counter-clockwise from +x, modulo pi"},
+        F{"period_mm", &RepeatedNoise::period_mm, 1e-3, 1000.0, Scale::log, "mm",
+          "distance after which it comes back"},
+        F{"period_angle_rad", &RepeatedNoise::period_angle_rad, 0.0, std::numbers::pi,
+          Scale::half_turn, "rad", "direction in which it comes back, like angle_rad"},
+        F{"repeats", &RepeatedNoise::repeats, fewest_repeats, 100.0, Scale::log, "",
+          "periods after which the likeness has fallen to exp(-1/2)"},
+    };
+  }
+
+  /// Below it nothing is seen of a period: its lines would rise 2 % above the ground between them.
+  static constexpr double fewest_repeats = 0.4;
+};
+
+/// The noise function that comes back.
+template <class T>
+WrinkleComponent<T> kernel_of(const RepeatedNoise<T>& noise) {
+  return {noise.amplitude_mm, noise.long_mm, noise.short_mm, noise.angle_rad};
+}
+
+/// Sum over all whole n of exp(-c n^2), c > 0. By Jacobi's identity the series falls at least as
+/// fast as exp(-pi n^2); three terms of a side leave 1e-21.
+template <class T>
+T sum_of_gaussians(const T& c) {
+  using std::exp;
+  using std::sqrt;
+  constexpr double pi = std::numbers::pi;
+  const bool few = value_of(c) > pi;
+  const T fall = few ? T(c) : T(pi * pi / c);
+  T sum(1.0);
+  for (int n = 1; n <= 3; ++n) sum += 2.0 * exp(-fall * double(n * n));
+  return few ? sum : T(sum * sqrt(pi / c));
+}
+
+/// An autocovariance seen again at all multiples n of (x, y), fainter by exp(-fall n^2).
+template <class T = double>
+struct RepeatedCovariance {
+  GaussianCovariance<T> kernel;
+  T x, y;  // mm
+  T fall;
+};
+
+/// At a distance, mm: what is felt there of the kernel at every multiple.
+inline double value_at(const RepeatedCovariance<>& covariance, double dx, double dy) {
+  const auto& [kernel, x, y, fall] = covariance;
+  // The exponent is quadratic in n: a n^2 - 2 b n + c.
+  const double a = fall + kernel.exponent(x, y);
+  const double b = kernel.xx * dx * x + kernel.xy * (dx * y + dy * x) + kernel.yy * dy * y;
+  constexpr double nothing = 45.0;  // e^-45 is less than rounding
+  const double reach = b * b - a * (kernel.exponent(dx, dy) - nothing);
+  if (reach < 0.0) return 0.0;
+  double sum = 0.0;
+  const double last = std::floor((b + std::sqrt(reach)) / a);
+  for (double n = std::ceil((b - std::sqrt(reach)) / a); n <= last; ++n)
+    sum += std::exp(-fall * n * n) * value_at(kernel, dx - n * x, dy - n * y);
+  return sum;
+}
+
+/// Scaled so that the variance is amplitude_mm^2, however much of the kernel lies over itself.
+template <class T>
+RepeatedCovariance<T> autocovariance(const RepeatedNoise<T>& noise) {
+  using std::cos;
+  using std::sin;
+  const T x = noise.period_mm * cos(noise.period_angle_rad);
+  const T y = noise.period_mm * sin(noise.period_angle_rad);
+  const T fall = 0.5 / (noise.repeats * noise.repeats);
+  auto kernel = autocovariance(
+      WrinkleComponent<T>{noise.amplitude_mm, noise.long_mm, noise.short_mm, noise.angle_rad});
+  kernel.variance /= sum_of_gaussians(T(fall + kernel.exponent(x, y)));
+  return {kernel, x, y, fall};
+}
+
+/// Within a period and from one to the next; what both do to a kernel longer than its period counts
+/// twice.
+template <class T>
+RepeatedCovariance<T> narrowed(const RepeatedCovariance<T>& covariance, const GaussianWindow& by) {
+  const auto& [kernel, x, y, fall] = covariance;
+  return {narrowed(kernel, by), x, y, fall + by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y};
+}
+
+/// Gaussians of standard deviation `width` at all whole numbers; 1 in the mean.
+template <class T>
+T comb(const T& phase, const T& width) {
+  using std::cos;
+  using std::exp;
+  constexpr double pi = std::numbers::pi;
+  // Lines that flow together are a cosine, to 4e-9; of others five are felt.
+  if (value_of(width) > 0.5)
+    return 1.0 + 2.0 * exp(-2.0 * pi * pi * width * width) * cos(2.0 * pi * phase);
+  // Plain numbers and their first derivatives, which is all that a dual number wants of them.
+  const double w = value_of(width), nearest = std::round(value_of(phase));
+  double sum = 0.0, by_phase = 0.0, by_width = 0.0;
+  for (int n = -2; n <= 2; ++n) {
+    const double at = (value_of(phase) - nearest - n) / w;
+    const double one = std::exp(-0.5 * at * at);
+    sum += one;
+    by_phase -= at / w * one;
+    by_width += at * at / w * one;
+  }
+  const T whole = sum + by_phase * (phase - value_of(phase)) + by_width * (width - w);
+  return whole / (width * std::sqrt(2.0 * pi));
+}
+
+/// The power spectral density of that autocovariance: the kernel's, gathered on lines.
+template <class T = double>
+struct RepeatedDensity {
+  GaussianDensity<T> kernel;
+  T x, y;   // of the period, mm
+  T width;  // of the lines, as a share of their distance
+
+  T operator()(double fx, double fy) const {
+    return kernel(fx, fy) * comb(T(x * fx + y * fy), width);
+  }
+};
+
+template <class T>
+RepeatedDensity<T> density_of(const RepeatedCovariance<T>& covariance) {
+  using std::sqrt;
+  const auto& [kernel, x, y, fall] = covariance;
+  return {density_of(kernel), x, y, sqrt(fall) / (std::numbers::sqrt2 * std::numbers::pi)};
+}
+
+}  // namespace hada
