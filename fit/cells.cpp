@@ -49,7 +49,15 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
     if (near > faintest && far <= options.most_leakage * (near + far))
       cells.push_back(cell_from(sums, spectrum, leakage.far_share));
   };
-  std::map<std::pair<int, int>, Sums> outer;  // by ring and sector
+  const auto place_of = [&](int i, int k, double fx, double fy) {
+    if (options.patch > 0) {
+      return std::pair{int(std::floor(double(i) / options.patch)), k / options.patch};
+    }
+    const double turn = half_turn(std::atan2(fy, fx)) / std::numbers::pi;
+    return std::pair{int(std::log(std::hypot(fx, fy) / inner) / options.growth),
+                     int(turn * sectors)};
+  };
+  std::map<std::pair<int, int>, Sums> outer;  // by ring and sector, or by patch
   for (int row = 0; row < extent.rows; ++row) {
     const int i = signed_frequency(row, extent.rows);
     const double fy = spectrum.fy(row);
@@ -67,8 +75,7 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
         append(alone);
         continue;
       }
-      const double turn = half_turn(std::atan2(fy, fx)) / std::numbers::pi;
-      Sums& sums = outer[{int(std::log(radius / inner) / options.growth), int(turn * sectors)}];
+      Sums& sums = outer[place_of(i, col, fx, fy)];
       // A cell may straddle the edge of the half plane only through f = -f: turn to one side.
       const double side = fy < 0.0 ? -1.0 : 1.0;
       sums.fx += side * fx;

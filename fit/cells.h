@@ -28,6 +28,7 @@ struct CellOptions {
   double reach = 1.0;          // share of the Nyquist frequency at which the cells end
   double inner_bins = 16.0;    // up to this many frequency steps from 0 an ordinate stays alone
   double growth = 0.06;        // size of a cell further out, as a share of its distance from 0
+  int patch = 0;               // side of a cell further out, ordinates; 0: as `growth` says
   double most_leakage = 0.15;  // share of a cell's power; a cell with more is left out
   double faintest = 1e-10;     // share of the highest power; a cell with less is left out
 };

@@ -2,97 +2,167 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
 
-#include "core/random.h"
+#include "core/parallel.h"
+#include "fit/further_noise.h"
 #include "fit/solve.h"
-#include "fit/whittle.h"
+#include "fit/spectral_distance.h"
 #include "fit/wrinkle.h"
-#include "fit/wrinkle_starts.h"
 
 namespace hada {
 namespace {
 
-constexpr int most_components = 5;
-constexpr int drawn_starts = 12;
-constexpr double far_nepers = 2.0;  // 9 dB: a cell further away than that loses its say
+constexpr int most_functions = 5;
+constexpr int most_rounds = 3;
+constexpr std::size_t beam_width = 2;
+constexpr double worth_it = 0.999;  // times the cost before
 
-/// How far the model is from each cell, by the logarithm.
-auto log_distances(const std::vector<Cell>& cells, double independence) {
-  return CellResiduals(cells, [independence](const Cell& cell, const auto& model) {
-    using std::log;
-    const double n = cell.count;
-    return std::sqrt(independence * std::sqrt(n)) *
-           softened(std::log(cell.power) + bias_of_log_mean(n) - log(model), far_nepers);
-  });
+struct Nearest {
+  Wrinkle<> wrinkle;
+  double cost = HUGE_VAL;
+};
+
+/// A repeated function must be seen to come back: lines too faint for a hundredth of the cost are a
+/// plain one's, of another shape.
+double weighed(const Nearest& nearest) {
+  constexpr double price = 1.01;
+  return nearest.cost * std::pow(price, double(nearest.wrinkle.repeated.size()));
 }
 
-/// A wrinkle of any size, shape and direction that the picture can show.
-Wrinkle<> drawn(int components, const Observation& seen, Seed seed) {
-  const Extent& extent = seen.spectrum.extent;
-  double variance = 0.0, lowest = HUGE_VAL;
-  for (const Cell& cell : seen.square) {
-    variance += 2.0 * cell.power * cell.count / (extent.width() * extent.height());
-    lowest = std::min(lowest, cell.power);
+bool nearer(const Nearest& a, const Nearest& b) {
+  return weighed(a) < weighed(b);
+}
+
+int functions(const Wrinkle<>& wrinkle) {
+  return int(wrinkle.components.size() + wrinkle.repeated.size());
+}
+
+/// The search for the nearest, one noise function after the other.
+class Search {
+ public:
+  explicit Search(const Observation& seen)
+      : seen_(seen), distances_(spectral_distances(seen.square, seen.spectrum.independence)) {}
+
+  const CellResiduals<LogDistance>& distances() const { return distances_; }
+
+  /// Grown from nothing to `functions`, or to as many as pay for themselves.
+  Nearest grown(int functions) const {
+    const auto fainter = [](const Cell& a, const Cell& b) { return a.power < b.power; };
+    Wrinkle<> bare;
+    bare.components.clear();
+    bare.floor_mm4 = std::min_element(seen_.square.begin(), seen_.square.end(), fainter)->power;
+    std::vector<Nearest> beam{{bare}};
+    for (int k = 1; k <= (functions > 0 ? functions : most_functions); ++k) {
+      auto next = wider(beam, Seed(k));
+      if (functions == 0 && k > 1 && criterion(next.front()) >= criterion(beam.front())) break;
+      beam = std::move(next);
+    }
+    return beam.front();
   }
-  const double least = 0.2 * extent.pitch;
-  const double most = 0.1 * std::min(extent.width(), extent.height());
-  Wrinkle<> wrinkle{.components = {}, .floor_mm4 = lowest};
-  for (int k = 0; k < components; ++k) {
-    const double length = least * std::pow(most / least, uniform(seed, k, 0));
-    const double stretch = std::exp(1.5 * uniform(seed, k, 1));
-    wrinkle.components.push_back({.amplitude_mm = std::sqrt(variance / components),
-                                  .long_mm = length * stretch,
-                                  .short_mm = length / stretch,
-                                  .angle_rad = std::numbers::pi * uniform(seed, k, 2)});
-  }
-  return within_bounds(wrinkle);
-}
 
-double information_criterion(const Ending& ending, double cells) {
-  return cells * std::log(ending.cost) + double(ending.packed.size()) * std::log(cells);
-}
+  /// Each noise function is taken out in turn and another sought, until none is better.
+  Nearest with_others_in_turn(Nearest nearest) const {
+    for (int round = 1; round <= most_rounds; ++round) {
+      bool better = false;
+      for (int k = 0; k < functions(nearest.wrinkle); ++k) {
+        const auto rest = without(nearest.wrinkle, k);
+        if (!rest) continue;
+        Nearest other = with_one_more(*rest, nearest.cost, mixed(Seed(k), round)).front();
+        if (weighed(other) >= worth_it * weighed(nearest)) continue;
+        nearest = std::move(other);
+        better = true;
+      }
+      if (!better) break;
+    }
+    constexpr int to_the_end = 200;
+    return descended(nearest, to_the_end);
+  }
+
+ private:
+  /// All but one noise function; nothing where none may be missing.
+  static std::optional<Wrinkle<>> without(Wrinkle<> wrinkle, int which) {
+    const int plain = int(wrinkle.components.size());
+    if (which >= plain) {
+      wrinkle.repeated.erase(wrinkle.repeated.begin() + (which - plain));
+    } else if (plain == 1) {
+      return {};
+    } else {
+      wrinkle.components.erase(wrinkle.components.begin() + which);
+    }
+    return wrinkle;
+  }
+
+  Nearest descended(const Nearest& from, int iterations) const {
+    const auto bounds = seen_bounds_of(from.wrinkle, seen_.spectrum.extent.pitch);
+    const Ending ending = endings_of(std::vector{from.wrinkle}, bounds, distances_.count(),
+                                     distances_, {.max_iterations = iterations, .tolerance = 1e-5})
+                              .front();
+    if (!std::isfinite(ending.cost)) return from;
+    return {unpack(from.wrinkle, ending.packed.data()), ending.cost};
+  }
+
+  /// What is reached from `before` and one more noise function, the nearest first; those that are
+  /// not going to be as near as `wanted` are left on the way.
+  std::vector<Nearest> with_one_more(const Wrinkle<>& before, double wanted, Seed seed) const {
+    constexpr int few = 8, enough = 25;
+    constexpr double promising = 1.02;  // times the wanted cost, after a few iterations
+    const auto starts = with_further_noise(before, seen_, seed);
+    std::vector<Nearest> found(starts.size());
+    for_each_index(int(starts.size()), [&](int i) {
+      found[std::size_t(i)] = descended({starts[std::size_t(i)]}, few);
+    });
+    std::stable_sort(found.begin(), found.end(), nearer);
+    for_each_index(int(std::min(found.size(), beam_width)), [&](int i) {
+      Nearest& one = found[std::size_t(i)];
+      if (one.cost < promising * wanted) one = descended(one, enough);
+    });
+    std::stable_sort(found.begin(), found.end(), nearer);
+    return found;
+  }
+
+  /// The nearest with one more than those of `beam`, and the nearest that has another number of
+  /// repeated ones: what leads on is not always what is nearest now.
+  std::vector<Nearest> wider(const std::vector<Nearest>& beam, Seed seed) const {
+    std::vector<Nearest> next;
+    for (const Nearest& one : beam)
+      std::ranges::move(with_one_more(one.wrinkle, HUGE_VAL, seed), std::back_inserter(next));
+    std::stable_sort(next.begin(), next.end(), nearer);
+    const auto repeated = next.front().wrinkle.repeated.size();
+    const auto other = std::find_if(next.begin(), next.end(), [&](const Nearest& one) {
+      return one.wrinkle.repeated.size() != repeated;
+    });
+    if (other != next.end()) std::swap(*other, next[1]);
+    next.resize(std::min(next.size(), beam_width));
+    return next;
+  }
+
+  /// Of Schwarz, where the scatter is not known.
+  double criterion(const Nearest& nearest) const {
+    const double cells = distances_.count();
+    return cells * std::log(nearest.cost) + double(pack(nearest.wrinkle).size()) * std::log(cells);
+  }
+
+  const Observation& seen_;
+  CellResiduals<LogDistance> distances_;
+};
 
 }  // namespace
 
-Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, const Fit<Wrinkle<>>& first,
-                               int components) {
-  const auto& cells = seen.square;
-  const int count = int(cells.size());
-  const auto distances = log_distances(cells, seen.spectrum.independence);
-  Fit<Wrinkle<>> fit = first;
-  fit.intervals.clear();
-  Ending best;
-  const int fewest = int(first.material.components.size());
-  for (int k = fewest; k <= (components > 0 ? components : most_components); ++k) {
-    std::vector<Wrinkle<>> starts{
-        k == fewest ? first.material
-                    : with_one_more(fit.material, cells, densities(fit.material, cells))};
-    for (int i = 0; i < drawn_starts; ++i) starts.push_back(drawn(k, seen, Seed(i)));
-    const auto endings =
-        endings_of(starts, count, distances, {.max_iterations = 100, .tolerance = 1e-6});
-    const auto ending =
-        std::min_element(endings.begin(), endings.end(),
-                         [](const Ending& a, const Ending& b) { return a.cost < b.cost; });
-    if (k > fewest && information_criterion(*ending, count) >= information_criterion(best, count))
-      break;
-    best = *ending;
-    fit.material = unpack(starts.front(), best.packed.data());
-    fit.cost = best.cost;
-    fit.starts = int(starts.size());
-    fit.agreeing = 0;
-    fit.runner_up_gap = HUGE_VAL;
-    for (const Ending& other : endings) {
-      if (other.cost < 1.01 * best.cost) {
-        ++fit.agreeing;
-      } else {
-        fit.runner_up_gap = std::min(fit.runner_up_gap, other.cost - best.cost);
-      }
-    }
-  }
-  fit.material = canonical(fit.material);
-  const auto jacobian = jacobian_of(fit.material, count, distances);
-  const double misfit = 2.0 * fit.cost / std::max(count - int(best.packed.size()), 1);
+Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions) {
+  const Search search(seen);
+  const Nearest nearest = search.with_others_in_turn(search.grown(functions));
+  Fit<Wrinkle<>> fit;
+  fit.material = canonical(nearest.wrinkle);
+  fit.cost = nearest.cost;
+  fit.starts = fit.agreeing = 1;  // a search, not descents that could agree
+  fit.runner_up_gap = HUGE_VAL;
+  const auto& distances = search.distances();
+  const auto jacobian = jacobian_of(fit.material, distances.count(), distances);
+  const double misfit = 2.0 * fit.cost / std::max(distances.count() - int(jacobian.cols()), 1);
   set_uncertainty(fit, jacobian.transpose() * jacobian / std::max(misfit, 1.0));
   return fit;
 }

@@ -12,12 +12,13 @@ namespace hada {
 /// that looks alike at the same pitch: every frequency counts by its share of the plane, to the
 /// corners of the square, and what its lens let through of finer ones is part of the picture.
 ///
-/// first       another fit, to begin from
-/// components  how many noise functions; 0: as many as pay for themselves, at most 5
-/// returns     the best of many starts, the logarithm of whose model is nearest on average to that
-/// of
-///             the spectrum; sigma is widened by how far it stays away
-Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, const Fit<Wrinkle<>>& first,
-                               int components);
+/// Noise functions are added one at a time, plain ones and repeated ones (cloth comes back after
+/// each thread), each from many starts with the others held and then with all free; then each is
+/// taken out in turn and another sought.
+///
+/// functions  how many; 0: as many as pay for themselves, at most 5
+/// returns    the nearest that was found, its variance held near that of the picture; sigma is
+///            widened by how far it stays away
+Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions);
 
 }  // namespace hada

@@ -21,6 +21,12 @@ double steps_emptied_by(const std::string& levelling) {
   return levelling == "plane" ? 1.5 : 2.5;
 }
 
+/// Of patches that are as small as some ten thousand may be, so that they tell lines apart.
+int patch_side(const Extent& extent) {
+  constexpr double patches = 1e4;  // in the half plane
+  return std::max(int(std::lround(std::sqrt(0.5 * extent.rows * extent.cols / patches))), 1);
+}
+
 // What is left of the power of a wave on the way from the surface to the map. Near Nyquist nothing
 // is left that could be given back.
 struct Losses {
@@ -110,9 +116,13 @@ Observation observe(const Surface& surface, double lens_blur_px) {
   seen.full = cells_of(
       seen.spectrum, leaked,
       {.empty_steps = hole, .reach = std::min(reach, 1.0), .most_leakage = 1.0, .faintest = 0.0});
-  seen.square =
-      cells_of(seen.spectrum, leaked,
-               {.empty_steps = hole, .reach = reach, .most_leakage = 1.0, .faintest = 0.0});
+  seen.square = cells_of(seen.spectrum, leaked,
+                         {.empty_steps = hole,
+                          .reach = reach,
+                          .inner_bins = 8.0,
+                          .patch = patch_side(box),
+                          .most_leakage = 1.0,
+                          .faintest = 0.0});
   const double safe = std::min(reach, safe_reach);
   seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe});
   seen.coarse = cells_of(

@@ -116,13 +116,20 @@ void set_uncertainty(Fit<M>& fit, const Eigen::MatrixXd& information) {
 
 /// Where each start ends, in the order of the starts, with its cost.
 template <template <class> class M, class Residual>
-std::vector<Ending> endings_of(const std::vector<M<double>>& starts, int residual_count,
-                               const Residual& residual, const SolveOptions& options = {}) {
+std::vector<Ending> endings_of(const std::vector<M<double>>& starts,
+                               const std::vector<SolverBounds>& bounds, int residual_count,
+                               const Residual& residual, const SolveOptions& options) {
   std::vector<std::vector<double>> packed;
   for (const auto& start : starts) packed.push_back(pack(start));
-  const auto& shape = starts.front();
-  return descend(packed, solver_bounds_of(shape), residual_count,
-                 evaluator(shape, residual_count, residual), options);
+  return descend(packed, bounds, residual_count,
+                 evaluator(starts.front(), residual_count, residual), options);
+}
+
+/// The same with the bounds of the fields.
+template <template <class> class M, class Residual>
+std::vector<Ending> endings_of(const std::vector<M<double>>& starts, int residual_count,
+                               const Residual& residual, const SolveOptions& options = {}) {
+  return endings_of(starts, solver_bounds_of(starts.front()), residual_count, residual, options);
 }
 
 /// The material whose residuals are smallest, from several starts.

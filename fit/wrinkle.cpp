@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fit/closest_wrinkle.h"
+#include "fit/goodness.h"
 #include "fit/observe.h"
 #include "fit/ridge_sheets.h"
 #include "fit/solve.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double widest_share = 1.0 / 7.0;  // of the map, whose length its spectrum can tell
 constexpr double least_goodness = 1e-3;     // p below which a person is told
+constexpr double hopeless = 1e-12;          // p below which no refinement makes a picture wrinkles
 constexpr double same_rough_cost = 0.5;     // of starts that are on the way to the same place
 constexpr double same_share = 0.02;    // by which the fields of one and the same end may differ
 constexpr int most_groups = 4;         // of starts that are worth the whole spectrum
@@ -39,6 +41,18 @@ Wrinkle<> grown(int components, const Observation& seen) {
 double lowest_power(const std::vector<Cell>& cells) {
   const auto fainter = [](const Cell& a, const Cell& b) { return a.power < b.power; };
   return std::min_element(cells.begin(), cells.end(), fainter)->power;
+}
+
+/// Long >= short, the longest first.
+template <class Noise>
+void put_in_order(std::vector<Noise>& functions) {
+  for (Noise& noise : functions) {
+    if (noise.long_mm >= noise.short_mm) continue;
+    std::swap(noise.long_mm, noise.short_mm);
+    noise.angle_rad += 0.5 * std::numbers::pi;
+  }
+  std::stable_sort(functions.begin(), functions.end(),
+                   [](const Noise& a, const Noise& b) { return a.long_mm > b.long_mm; });
 }
 
 /// Whether two canonical wrinkles are one; how far below everything their floors lie is no matter.
@@ -164,13 +178,8 @@ double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
 }  // namespace
 
 Wrinkle<> canonical(Wrinkle<> wrinkle) {
-  for (auto& component : wrinkle.components) {
-    if (component.long_mm >= component.short_mm) continue;
-    std::swap(component.long_mm, component.short_mm);
-    component.angle_rad += 0.5 * std::numbers::pi;
-  }
-  std::stable_sort(wrinkle.components.begin(), wrinkle.components.end(),
-                   [](const auto& a, const auto& b) { return a.long_mm > b.long_mm; });
+  put_in_order(wrinkle.components);
+  put_in_order(wrinkle.repeated);
   return wrapped(wrinkle);
 }
 
@@ -198,11 +207,20 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
     }
     best = std::move(fit);
   }
-  tell("refining " + std::to_string(best.material.components.size()) + " over the whole spectrum");
-  best = refined_and_told(std::move(best), std::move(fewer), seen);
   const bool picture = !surface.has_height();
-  if (picture && best.goodness_p < least_goodness)
-    best = closest_wrinkle(seen, best, options.components);
+  best.goodness_p = goodness_of_fit(seen.fine, densities(best.material, seen.fine),
+                                    seen.spectrum.independence, spectral_fields(best.material));
+  if (!picture || best.goodness_p > hopeless) {
+    tell("refining " + std::to_string(best.material.components.size()) +
+         " over the whole spectrum");
+    best = refined_and_told(std::move(best), std::move(fewer), seen);
+  }
+  if (picture && best.goodness_p < least_goodness) {
+    tell("searching for the nearest texture");
+    const double goodness_p = best.goodness_p;
+    best = closest_wrinkle(seen, options.components);
+    best.goodness_p = goodness_p;
+  }
   best.remarks = seen.remarks;
   for (auto& remark : remarks_on(best, seen.spectrum.extent))
     best.remarks.push_back(std::move(remark));

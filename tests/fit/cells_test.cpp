@@ -1,5 +1,6 @@
 #include "fit/cells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +42,17 @@ TEST(Cells, AreSingleOrdinatesNearZeroAndGrowFurtherOut) {
     largest = std::max(largest, cell.count);
   }
   EXPECT_GT(largest, 4);
+}
+
+TEST(Cells, AreSquaresWherePatchesAreAskedFor) {
+  const auto spectrum = white({128, 96, 1.0, Unit::px});
+  const auto cells =
+      cells_of(spectrum, leakage(spectrum), {.inner_bins = 4.0, .patch = 4, .most_leakage = 1.0});
+  for (const Cell& cell : cells) EXPECT_LE(cell.count, 16);
+  const auto whole =
+      std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.count == 16; });
+  // Most of the half disc of pi / 2 (48 / 96)^2 of 128 x 96 ordinates, but for its edges.
+  EXPECT_GT(double(whole), 0.8 * std::numbers::pi / 8.0 * 128 * 96 / 16.0);
 }
 
 TEST(Cells, NarrowAnAutocovarianceAsAveragingOverThemDoes) {
