@@ -58,7 +58,8 @@ void add_all_steps(Commands& commands) {
                                     "what to fit (default: wrinkle); see hada materials");
                  command
                      .add_option("--components", a.path.components,
-                                 "number of components (default: the data decide)")
+                                 "number of components; of a texture, of noise functions of both "
+                                 "kinds (default: the data decide)")
                      ->check(CLI::Range(1, 8));
                  command.add_option("--seed", a.path.seed, "of the new surface (default: 1)");
                  add_lights(command, a);
@@ -169,7 +170,8 @@ void add_modelling(Commands& commands) {
         add_pitch(command, a);
         command
             .add_option("--components", a.components,
-                        "number of components (default: the data decide)")
+                        "number of components; of a texture, of noise functions of both kinds "
+                        "(default: the data decide)")
             ->check(CLI::Range(1, 8));
         command
             .add_option("--lens-blur", a.lens_blur_px,

@@ -5,6 +5,7 @@
 #include "fit/wrinkle.h"
 #include "measure/spectrum.h"
 #include "synth/gaussian_field.h"
+#include "synth/synthesize.h"
 
 namespace hada {
 namespace {
@@ -52,7 +53,7 @@ TextureScore study_texture(const Surface& picture, int components) {
   const auto brightness = luminance(picture.albedo);
   const auto measured = spectrum_of_map(brightness, extent);
   const auto fit = fit_wrinkle(picture, {.components = components});
-  const auto made = gaussian_field(spectrum_of(fit.material), extent, seed);
+  const auto made = synthesize(fit.material, extent, seed).height;
 
   const auto raw = power_spectrum(brightness, full_mask(extent), extent, {.taper = 0.0});
   const auto same_spectrum = gaussian_field(

@@ -33,7 +33,8 @@ struct CellOptions {
   double faintest = 1e-10;     // share of the highest power; a cell with less is left out
 };
 
-/// The half plane of a spectrum, cut into cells that grow with their distance from frequency 0.
+/// The half plane of a spectrum, cut into cells that grow with their distance from frequency 0, or
+/// into equal patches.
 ///
 /// Left out are the frequencies around 0, those beyond the reach, and those that hold
 /// little but leakage or rounding. The mean of S over a cell is, to third order in its size, the

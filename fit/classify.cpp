@@ -38,6 +38,13 @@ Wrinkle<> varied(Wrinkle<> kind, const Variation& by) {
     component.short_mm *= std::exp(by.log_length);
     component.angle_rad += by.turn_rad;
   }
+  for (auto& noise : kind.repeated) {
+    noise.amplitude_mm *= std::exp(by.log_amplitude);
+    for (double* length : {&noise.long_mm, &noise.short_mm, &noise.period_mm})
+      *length *= std::exp(by.log_length);
+    noise.angle_rad += by.turn_rad;
+    noise.period_angle_rad += by.turn_rad;
+  }
   kind.floor_mm4 += std::exp(by.log_floor);
   return kind;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,8 +44,10 @@ int functions(const Wrinkle<>& wrinkle) {
 /// The search for the nearest, one noise function after the other.
 class Search {
  public:
-  explicit Search(const Observation& seen)
-      : seen_(seen), distances_(spectral_distances(seen.square, seen.spectrum.independence)) {}
+  Search(const Observation& seen, const FitProgress& progress)
+      : seen_(seen),
+        progress_(progress),
+        distances_(spectral_distances(seen.square, seen.spectrum.independence)) {}
 
   const CellResiduals<LogDistance>& distances() const { return distances_; }
 
@@ -57,6 +59,7 @@ class Search {
     bare.floor_mm4 = std::min_element(seen_.square.begin(), seen_.square.end(), fainter)->power;
     std::vector<Nearest> beam{{bare}};
     for (int k = 1; k <= (functions > 0 ? functions : most_functions); ++k) {
+      tell("nearest texture of " + std::to_string(k) + " noise functions");
       auto next = wider(beam, Seed(k));
       if (functions == 0 && k > 1 && criterion(next.front()) >= criterion(beam.front())) break;
       beam = std::move(next);
@@ -69,9 +72,11 @@ class Search {
     for (int round = 1; round <= most_rounds; ++round) {
       bool better = false;
       for (int k = 0; k < functions(nearest.wrinkle); ++k) {
-        const auto rest = without(nearest.wrinkle, k);
-        if (!rest) continue;
-        Nearest other = with_one_more(*rest, nearest.cost, mixed(Seed(k), round)).front();
+        tell("noise function " + std::to_string(k + 1) + " once more, round " +
+             std::to_string(round));
+        Nearest other =
+            with_one_more(without(nearest.wrinkle, k), weighed(nearest), mixed(Seed(k), round))
+                .front();
         if (weighed(other) >= worth_it * weighed(nearest)) continue;
         nearest = std::move(other);
         better = true;
@@ -83,25 +88,26 @@ class Search {
   }
 
  private:
-  /// All but one noise function; nothing where none may be missing.
-  static std::optional<Wrinkle<>> without(Wrinkle<> wrinkle, int which) {
+  void tell(const std::string& stage) const {
+    if (progress_) progress_(stage);
+  }
+
+  /// All but one noise function.
+  static Wrinkle<> without(Wrinkle<> wrinkle, int which) {
     const int plain = int(wrinkle.components.size());
-    if (which >= plain) {
-      wrinkle.repeated.erase(wrinkle.repeated.begin() + (which - plain));
-    } else if (plain == 1) {
-      return {};
-    } else {
+    if (which < plain) {
       wrinkle.components.erase(wrinkle.components.begin() + which);
+    } else {
+      wrinkle.repeated.erase(wrinkle.repeated.begin() + (which - plain));
     }
     return wrinkle;
   }
 
   Nearest descended(const Nearest& from, int iterations) const {
-    const auto bounds = seen_bounds_of(from.wrinkle, seen_.spectrum.extent.pitch);
+    const auto bounds = seen_bounds_of(from.wrinkle, seen_.spectrum.extent);
     const Ending ending = endings_of(std::vector{from.wrinkle}, bounds, distances_.count(),
                                      distances_, {.max_iterations = iterations, .tolerance = 1e-5})
                               .front();
-    if (!std::isfinite(ending.cost)) return from;
     return {unpack(from.wrinkle, ending.packed.data()), ending.cost};
   }
 
@@ -118,7 +124,7 @@ class Search {
     std::stable_sort(found.begin(), found.end(), nearer);
     for_each_index(int(std::min(found.size(), beam_width)), [&](int i) {
       Nearest& one = found[std::size_t(i)];
-      if (one.cost < promising * wanted) one = descended(one, enough);
+      if (weighed(one) < promising * wanted) one = descended(one, enough);
     });
     std::stable_sort(found.begin(), found.end(), nearer);
     return found;
@@ -147,13 +153,15 @@ class Search {
   }
 
   const Observation& seen_;
+  const FitProgress& progress_;
   CellResiduals<LogDistance> distances_;
 };
 
 }  // namespace
 
-Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions) {
-  const Search search(seen);
+Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions,
+                               const FitProgress& progress) {
+  const Search search(seen, progress);
   const Nearest nearest = search.with_others_in_turn(search.grown(functions));
   Fit<Wrinkle<>> fit;
   fit.material = canonical(nearest.wrinkle);
@@ -163,7 +171,8 @@ Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions) {
   const auto& distances = search.distances();
   const auto jacobian = jacobian_of(fit.material, distances.count(), distances);
   const double misfit = 2.0 * fit.cost / std::max(distances.count() - int(jacobian.cols()), 1);
-  set_uncertainty(fit, jacobian.transpose() * jacobian / std::max(misfit, 1.0));
+  set_uncertainty(fit, jacobian.transpose() * jacobian / std::max(misfit, 1.0),
+                  seen_bounds_of(fit.material, seen.spectrum.extent));
   return fit;
 }
 

@@ -17,8 +17,11 @@ namespace hada {
 /// taken out in turn and another sought.
 ///
 /// functions  how many; 0: as many as pay for themselves, at most 5
-/// returns    the nearest that was found, its variance held near that of the picture; sigma is
-///            widened by how far it stays away
-Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions);
+/// returns    the nearest that was found, plain or repeated; its variance has a twentieth of the
+/// say
+///            of all frequencies. Sigma is widened by how far it stays away
+/// throws     Error if no search stays with finite numbers
+Fit<Wrinkle<>> closest_wrinkle(const Observation& seen, int functions,
+                               const FitProgress& progress = {});
 
 }  // namespace hada

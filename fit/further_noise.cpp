@@ -55,6 +55,8 @@ RepeatedNoise<> repeated(const WrinkleComponent<>& kernel, const Eigen::Vector2d
 /// Some of the cells, anywhere: enough to tell where a search leads.
 std::vector<Cell> some_of(const std::vector<Cell>& cells) {
   constexpr std::uint64_t one_of = 4;
+  constexpr std::size_t few = 2000;
+  if (cells.size() < few) return cells;
   std::vector<Cell> some;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (hash(0, std::int64_t(i)) % one_of == 0) some.push_back(cells[i]);
@@ -96,9 +98,9 @@ struct Found {
 
 template <class Noise>
 void search(const std::vector<Noise>& starts, const DistancesOfOne& distances,
-            const Wrinkle<>& wrinkle, double pitch, std::vector<Noise> Wrinkle<>::*list,
+            const Wrinkle<>& wrinkle, const Extent& extent, std::vector<Noise> Wrinkle<>::*list,
             std::vector<Found>& found) {
-  const auto endings = endings_of(starts, seen_bounds_of(starts.front(), pitch),
+  const auto endings = endings_of(starts, seen_bounds_of(starts.front(), extent),
                                   int(distances.cells.size()), distances, quickly);
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const bool ended = std::isfinite(endings[i].cost);
@@ -123,8 +125,9 @@ std::vector<Wrinkle<>> with_further_noise(const Wrinkle<>& wrinkle, const Observ
   for (int i = 0; i < drawn_plain; ++i) plain.push_back(drawn(extent, amplitude, mixed(seed, i)));
   const double side = std::min(extent.width(), extent.height());
   std::vector<RepeatedNoise<>> repeating;
+  const GaussianWindow taper{seen.spectrum.window_x, 0.0, seen.spectrum.window_y};
   for (const Eigen::Vector2d& period :
-       repetitions(seen.spectrum, spectrum_of(wrinkle), shortest_px * extent.pitch,
+       repetitions(seen.spectrum, spectrum_of(wrinkle, taper), shortest_px * extent.pitch,
                    longest_share * side, periods)) {
     for (int i = 0; i < drawn_of_each_period; ++i) {
       const Seed other = mixed(mixed(seed, -1), std::int64_t(repeating.size()));
@@ -132,10 +135,10 @@ std::vector<Wrinkle<>> with_further_noise(const Wrinkle<>& wrinkle, const Observ
     }
   }
   std::vector<Found> found;
-  search(plain, distances, wrinkle, extent.pitch, &Wrinkle<>::components, found);
+  search(plain, distances, wrinkle, extent, &Wrinkle<>::components, found);
   // One that repeats itself needs another beside it, of what does not.
   if (!wrinkle.components.empty() && !repeating.empty())
-    search(repeating, distances, wrinkle, extent.pitch, &Wrinkle<>::repeated, found);
+    search(repeating, distances, wrinkle, extent, &Wrinkle<>::repeated, found);
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.cost < b.cost; });
   std::vector<Wrinkle<>> best;

@@ -11,18 +11,26 @@
 
 namespace hada {
 
-/// Bounds of a fit to a map of that pitch: nothing is seen there of kernels thinner than a tenth of
-/// a pixel, nor a repetition within two. M is Wrinkle or one of its noise functions.
+/// What a map can show of a field that is a length, as the bounds of a solver: no kernel thinner
+/// than a tenth of a pixel, no repetition within two of them or further off than half the map.
+template <class F>
+SolverBounds seen_bounds(const F& field, const Extent& extent) {
+  auto [low, high] = solver_bounds(field);
+  if (field.name == "long_mm" || field.name == "short_mm") {
+    low = std::max(low, std::log(0.1 * extent.pitch));
+  } else if (field.name == "period_mm") {
+    low = std::max(low, std::log(2.0 * extent.pitch));
+    high = std::min(high, std::log(0.5 * std::min(extent.width(), extent.height())));
+  }
+  return {low, high};
+}
+
+/// Of all fields. M is Wrinkle or one of its noise functions.
 template <class M>
-std::vector<SolverBounds> seen_bounds_of(const M& material, double pitch) {
+std::vector<SolverBounds> seen_bounds_of(const M& material, const Extent& extent) {
   std::vector<SolverBounds> bounds;
   visit_fields(material, [&](const std::string&, const auto& field, const double&) {
-    SolverBounds of_field = solver_bounds(field);
-    const double pixels = field.name == "period_mm"                             ? 2.0
-                          : field.name == "long_mm" || field.name == "short_mm" ? 0.1
-                                                                                : 0.0;
-    if (pixels > 0.0) of_field.low = std::max(of_field.low, std::log(pixels * pitch));
-    bounds.push_back(of_field);
+    bounds.push_back(seen_bounds(field, extent));
   });
   return bounds;
 }

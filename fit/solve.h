@@ -77,14 +77,15 @@ Eigen::MatrixXd jacobian_of(const M<double>& material, int residual_count,
   return jacobian;
 }
 
-/// Paths of the fields of `material` that lie on a bound, as far as a solver can tell.
+/// Paths of the fields of `material` that lie on one of `bounds`, as far as a solver can tell.
 template <class M>
-std::vector<std::string> fields_on_bound(const M& material) {
+std::vector<std::string> fields_on_bound(const M& material,
+                                         const std::vector<SolverBounds>& bounds) {
   std::vector<std::string> paths;
   const auto packed = pack(material);
   std::size_t k = 0;
-  visit_fields(material, [&](const std::string& path, const auto& field, const double&) {
-    const auto [low, high] = solver_bounds(field);
+  visit_fields(material, [&](const std::string& path, const auto&, const double&) {
+    const auto [low, high] = bounds[k];
     const double near = 1e-4 * (high - low);  // infinite for a half turn, which has no bounds
     if (std::isfinite(near) && (packed[k] < low + near || packed[k] > high - near))
       paths.push_back(path);
@@ -93,10 +94,12 @@ std::vector<std::string> fields_on_bound(const M& material) {
   return paths;
 }
 
-/// Fills on_bound, covariance and sigma of `fit` from the Fisher information of its packed fields.
+/// Fills on_bound, covariance and sigma of `fit` from the Fisher information of its packed fields,
+/// which were sought inside `bounds`.
 template <class M>
-void set_uncertainty(Fit<M>& fit, const Eigen::MatrixXd& information) {
-  fit.on_bound = fields_on_bound(fit.material);
+void set_uncertainty(Fit<M>& fit, const Eigen::MatrixXd& information,
+                     const std::vector<SolverBounds>& bounds) {
+  fit.on_bound = fields_on_bound(fit.material, bounds);
   std::vector<bool> free;
   visit_fields(fit.material, [&](const std::string& path, const auto&, const double&) {
     free.push_back(std::find(fit.on_bound.begin(), fit.on_bound.end(), path) == fit.on_bound.end());
@@ -112,6 +115,12 @@ void set_uncertainty(Fit<M>& fit, const Eigen::MatrixXd& information) {
     if (field.scale == Scale::half_turn) sigma = std::min(sigma, std::numbers::pi / std::sqrt(12));
     ++k;
   });
+}
+
+/// The same where they were sought inside the bounds of the fields.
+template <class M>
+void set_uncertainty(Fit<M>& fit, const Eigen::MatrixXd& information) {
+  set_uncertainty(fit, information, solver_bounds_of(fit.material));
 }
 
 /// Where each start ends, in the order of the starts, with its cost.

@@ -80,6 +80,7 @@ std::array<ceres::Jet<double, fields>, std::size_t(fields)> seeded(const double*
 template <class OfPower>
 class CellResiduals {
  public:
+  /// cells       stay where they are: they are looked at in every evaluation
   /// say_of_all  weight of one more residual, the last: the logarithm of the measured over the
   ///             expected power of all cells together; 0: none
   CellResiduals(const std::vector<Cell>& cells, const OfPower& of_power, double say_of_all = 0.0)

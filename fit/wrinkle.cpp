@@ -55,7 +55,8 @@ void put_in_order(std::vector<Noise>& functions) {
                    [](const Noise& a, const Noise& b) { return a.long_mm > b.long_mm; });
 }
 
-/// Whether two canonical wrinkles are one; how far below everything their floors lie is no matter.
+/// Whether two canonical wrinkles, of plain components, are one; how far below everything their
+/// floors lie is no matter.
 bool alike(const Wrinkle<>& a, const Wrinkle<>& b) {
   for (std::size_t k = 0; k < a.components.size(); ++k) {
     const auto &one = a.components[k], &other = b.components[k];
@@ -216,9 +217,8 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
     best = refined_and_told(std::move(best), std::move(fewer), seen);
   }
   if (picture && best.goodness_p < least_goodness) {
-    tell("searching for the nearest texture");
     const double goodness_p = best.goodness_p;
-    best = closest_wrinkle(seen, options.components);
+    best = closest_wrinkle(seen, options.components, options.progress);
     best.goodness_p = goodness_p;
   }
   best.remarks = seen.remarks;

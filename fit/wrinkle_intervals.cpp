@@ -69,7 +69,7 @@ std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
   Grid<double> overlap;  // found when it is needed
   const auto best = pack(fit.material);
   const auto plain_bounds = solver_bounds_of(fit.material);
-  const int floor = per_component * int(fit.material.components.size());
+  const int floor = per_component * int(fit.material.components.size());  // no repeated noise here
 
   std::vector<FieldInterval> intervals;
   int index = -1;

@@ -10,8 +10,9 @@
 namespace hada {
 namespace {
 
-constexpr double faintest =
-    1e-12;  // of the highest power, what is left of a wave that is not there
+// Of the highest power, what is left of a wave that is not there.
+constexpr double faintest = 1e-12;
+constexpr double emptied_steps = 2.5;  // of frequency around 0, by any levelling
 
 Grid<double> cepstrum(const Spectrum& spectrum,
                       const std::function<double(double, double)>& expected) {
@@ -20,13 +21,19 @@ Grid<double> cepstrum(const Spectrum& spectrum,
   Grid<std::complex<double>> logarithms(extent.rows, extent.cols / 2 + 1);
   for_each_index(logarithms.rows(), [&](int row) {
     for (int col = 0; col < logarithms.cols(); ++col) {
-      if (row == 0 && col == 0) continue;  // levelling emptied it
+      if (std::hypot(signed_frequency(row, extent.rows), col) <= emptied_steps) continue;
       const double power = std::max(spectrum.power(row, col), least);
       const double model = std::max(expected(spectrum.fx(col), spectrum.fy(row)), least);
       logarithms(row, col) = std::log(power / model);
     }
   });
   return inverse_fft(logarithms, extent.cols);
+}
+
+/// Where the parabola through three neighbours has its vertex, from the middle one, the highest.
+double vertex(double before, double middle, double after) {
+  const double bend = 2.0 * middle - before - after;
+  return bend > 0.0 ? 0.5 * (after - before) / bend : 0.0;
 }
 
 }  // namespace
@@ -51,12 +58,15 @@ std::vector<Eigen::Vector2d> repetitions(
     return true;
   };
   const int reach =
-      std::min(int(longest / extent.pitch), std::min(extent.rows, extent.cols) / 2 - 1);
+      std::min(int(longest / extent.pitch) + 1, std::min(extent.rows, extent.cols) / 2 - 1);
   std::vector<Peak> peaks;
   for (int i = 0; i <= reach; ++i) {  // downwards: -p is in the other half
     for (int j = i == 0 ? 1 : -reach; j <= reach; ++j) {
-      const Eigen::Vector2d distance(j * extent.pitch, -i * extent.pitch);
-      if (distance.norm() < shortest || distance.norm() > longest || !is_peak(i, j)) continue;
+      if (!is_peak(i, j)) continue;
+      const Eigen::Vector2d pixels(j + vertex(at(i, j - 1), at(i, j), at(i, j + 1)),
+                                   -i - vertex(at(i - 1, j), at(i, j), at(i + 1, j)));
+      const Eigen::Vector2d distance = extent.pitch * pixels;
+      if (distance.norm() < shortest || distance.norm() > longest) continue;
       peaks.push_back({distance, at(i, j)});
     }
   }

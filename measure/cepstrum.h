@@ -15,7 +15,8 @@ namespace hada {
 /// A repetition ripples the logarithm of a spectrum wherever the spectrum is high or low, so that
 /// even one that holds little power stands out. One of each pair +p and -p.
 ///
-/// shortest, longest  of the distances, in units of the map
+/// spectrum           of a map that is not flat
+/// shortest, longest  of the distances, in units of the map; found between its pixels
 /// most               of them
 /// Source: Bogert, Healy, Tukey, The quefrency alanysis of time series for echoes, 1963.
 std::vector<Eigen::Vector2d> repetitions(

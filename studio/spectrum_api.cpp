@@ -28,7 +28,7 @@ Json ellipse(const WrinkleComponent<>& component, double long_more, double short
   return {half_power(component.long_mm + long_more), half_power(component.short_mm + short_more)};
 }
 
-// One for each noise function, with the ellipses one sigma larger and smaller.
+// One for each plain noise function, with the ellipses one sigma larger and smaller.
 Json ellipses(const MaterialFile& file) {
   Json list = Json::array();
   const auto* wrinkle = std::get_if<Wrinkle<>>(&file.material);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "synth/ridges.h"
 #include "synth/white_noise.h"
@@ -143,20 +145,23 @@ class Layer {
   std::uint64_t key_;
 };
 
-/// How loud white noise must be heard again n periods away, n = 0, 1, ...: at a distance of n
-/// periods the sum resembles itself by exp(-n^2 / (2 repeats^2)). The coefficients of the series of
-/// the root of the spectrum's comb.
+/// How loud white noise must be heard again n periods away, n = 0, 1, ..., until that is a hundred
+/// thousandth: at a distance of n periods the sum then resembles itself by exp(-n^2 / (2
+/// repeats^2)). The coefficients of the series of the root of the spectrum's comb.
 std::vector<double> echoes(const RepeatedNoise<>& noise) {
+  constexpr double faintest = 1e-5;
   const double width = density_of(autocovariance(noise)).width;
-  const int last = int(std::ceil(5.0 * noise.repeats)) + 3;  // exp(-25)
-  const int phases = 16 * last;  // of a smooth periodic function: the mean of them is the integral
+  // exp(-n^2 / repeats^2) for many repeats; the root is less smooth where its lines flow together.
+  const int last = int(std::ceil(4.0 * noise.repeats)) + 6;
+  const int phases = 16 * last;  // of a periodic function: the mean of them is the integral
+  std::vector<double> roots;
+  for (int k = 0; k < phases; ++k) roots.push_back(std::sqrt(comb(double(k) / phases, width)));
   std::vector<double> loudness;
   for (int n = 0; n <= last; ++n) {
     double sum = 0.0;
-    for (int k = 0; k < phases; ++k) {
-      const double phase = double(k) / phases;
-      sum += std::sqrt(comb(phase, width)) * std::cos(2.0 * std::numbers::pi * n * phase);
-    }
+    for (int k = 0; k < phases; ++k)
+      sum += roots[std::size_t(k)] * std::cos(2.0 * std::numbers::pi * n * k / phases);
+    if (n > 0 && std::abs(sum / phases) < faintest * loudness.front()) break;
     loudness.push_back(sum / phases);
   }
   return loudness;
@@ -165,9 +170,16 @@ std::vector<double> echoes(const RepeatedNoise<>& noise) {
 void add_repeated(Grid<float>& field, const RepeatedNoise<>& noise, std::uint64_t key,
                   const Extent& window, const std::array<double, 2>& middle) {
   const auto covariance = autocovariance(noise);
-  WrinkleComponent<> kernel = kernel_of(noise);
   const auto loudness = echoes(noise);
   const int last = int(loudness.size()) - 1;
+  constexpr double most = 1e10;  // pixels in all passes: some minutes
+  if ((2.0 * last + 1.0) * double(field.size()) > most) {
+    throw Error("synthesis: a window of so many pixels, and noise that comes back " +
+                std::to_string(last) +
+                " times each way, take too long; ask for a smaller window, "
+                "or for a surface that tiles");
+  }
+  WrinkleComponent<> kernel = kernel_of(noise);
   for (int n = -last; n <= last; ++n) {
     kernel.amplitude_mm =
         std::sqrt(covariance.kernel.variance) * loudness[std::size_t(std::abs(n))];

@@ -48,11 +48,12 @@ struct GaussianCovariance {
   }
 };
 
+inline constexpr double no_likeness = 45.0;  // as an exponent: e^-45 is less than rounding
+
 /// At a distance, mm.
 inline double value_at(const GaussianCovariance<>& covariance, double dx, double dy) {
-  constexpr double nothing = 45.0;  // e^-45 is less than rounding
   const double fall = covariance.exponent(dx, dy);
-  return fall < nothing ? covariance.variance * std::exp(-fall) : 0.0;
+  return fall < no_likeness ? covariance.variance * std::exp(-fall) : 0.0;
 }
 
 template <class T>

@@ -41,13 +41,14 @@ struct RepeatedNoise {
           "distance after which it comes back"},
         F{"period_angle_rad", &RepeatedNoise::period_angle_rad, 0.0, std::numbers::pi,
           Scale::half_turn, "rad", "direction in which it comes back, like angle_rad"},
-        F{"repeats", &RepeatedNoise::repeats, fewest_repeats, 100.0, Scale::log, "",
+        F{"repeats", &RepeatedNoise::repeats, fewest_repeats, most_repeats, Scale::log, "",
           "periods after which the likeness has fallen to exp(-1/2)"},
     };
   }
 
-  /// Below it nothing is seen of a period: its lines would rise 2 % above the ground between them.
+  /// Below it little is seen of a period: its lines rise 9 % above the mean, 2 exp(-1 / (2 0.4^2)).
   static constexpr double fewest_repeats = 0.4;
+  static constexpr double most_repeats = 30.0;  // each is a pass over an endless window
 };
 
 /// The noise function that comes back.
@@ -84,8 +85,7 @@ inline double value_at(const RepeatedCovariance<>& covariance, double dx, double
   // The exponent is quadratic in n: a n^2 - 2 b n + c.
   const double a = fall + kernel.exponent(x, y);
   const double b = kernel.xx * dx * x + kernel.xy * (dx * y + dy * x) + kernel.yy * dy * y;
-  constexpr double nothing = 45.0;  // e^-45 is less than rounding
-  const double reach = b * b - a * (kernel.exponent(dx, dy) - nothing);
+  const double reach = b * b - a * (kernel.exponent(dx, dy) - no_likeness);
   if (reach < 0.0) return 0.0;
   double sum = 0.0;
   const double last = std::floor((b + std::sqrt(reach)) / a);
@@ -108,12 +108,19 @@ RepeatedCovariance<T> autocovariance(const RepeatedNoise<T>& noise) {
   return {kernel, x, y, fall};
 }
 
-/// Within a period and from one to the next; what both do to a kernel longer than its period counts
-/// twice.
+/// The product of Gaussians at all multiples and one at 0 is again one of Gaussians at multiples,
+/// of a distance that the window draws in.
 template <class T>
 RepeatedCovariance<T> narrowed(const RepeatedCovariance<T>& covariance, const GaussianWindow& by) {
   const auto& [kernel, x, y, fall] = covariance;
-  return {narrowed(kernel, by), x, y, fall + by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y};
+  const GaussianCovariance<T> narrow = narrowed(kernel, by);
+  // (M + W)^-1 M p, with M of the kernel and W of the window.
+  const T across = kernel.xx * x + kernel.xy * y, up = kernel.xy * x + kernel.yy * y;
+  const T det = narrow.xx * narrow.yy - narrow.xy * narrow.xy;
+  const T drawn_x = (narrow.yy * across - narrow.xy * up) / det;
+  const T drawn_y = (narrow.xx * up - narrow.xy * across) / det;
+  return {narrow, drawn_x, drawn_y,
+          fall + kernel.exponent(x, y) - narrow.exponent(drawn_x, drawn_y)};
 }
 
 /// Gaussians of standard deviation `width` at all whole numbers; 1 in the mean.
@@ -122,13 +129,13 @@ T comb(const T& phase, const T& width) {
   using std::cos;
   using std::exp;
   constexpr double pi = std::numbers::pi;
-  // Lines that flow together are a cosine, to 4e-9; of others five are felt.
+  // Lines that flow together are a cosine, to 5e-9; of others seven are felt.
   if (value_of(width) > 0.5)
     return 1.0 + 2.0 * exp(-2.0 * pi * pi * width * width) * cos(2.0 * pi * phase);
   // Plain numbers and their first derivatives, which is all that a dual number wants of them.
   const double w = value_of(width), nearest = std::round(value_of(phase));
   double sum = 0.0, by_phase = 0.0, by_width = 0.0;
-  for (int n = -2; n <= 2; ++n) {
+  for (int n = -3; n <= 3; ++n) {
     const double at = (value_of(phase) - nearest - n) / w;
     const double one = std::exp(-0.5 * at * at);
     sum += one;

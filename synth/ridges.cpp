@@ -99,8 +99,8 @@ void sharpen_line(LineSharpener& sharpener, std::vector<float>& line, std::vecto
   std::copy_n(longer.begin() + margin, n, line.begin());
 }
 
-// The root mean square of the Laplacian: the fourth derivatives of the autocovariance at 0. That a
-// kernel comes back is left out: its curvature is felt within a period.
+// The root mean square of the Laplacian: the fourth derivatives of the autocovariance at 0. Of what
+// comes back, those of its kernel alone: only the unit of sharpness depends on it.
 double mean_curvature(const Wrinkle<>& wrinkle) {
   double sum = 0.0;
   const auto add = [&](double amplitude, const GaussianCovariance<>& kernel) {

@@ -21,10 +21,12 @@ Grid<float> field_of(const M& material, const Extent& extent, Seed seed) {
 
 // Ridges are of the paper, not of the white noise over it.
 Grid<float> field_of(const Wrinkle<>& wrinkle, const Extent& extent, Seed seed) {
-  if (!has_ridges(wrinkle)) return gaussian_field(spectrum_of(wrinkle), extent, seed);
+  const auto window = window_of_tile(wrinkle, extent);
+  if (!has_ridges(wrinkle)) return gaussian_field(spectrum_of(wrinkle, window), extent, seed);
   Wrinkle<> bare = wrinkle;
   bare.floor_mm4 = 0.0;
-  auto field = with_ridges(gaussian_field(spectrum_of(bare), extent, seed), wrinkle, extent.pitch);
+  auto field =
+      with_ridges(gaussian_field(spectrum_of(bare, window), extent, seed), wrinkle, extent.pitch);
   if (wrinkle.floor_mm4 == 0.0) return field;
   const auto floor =
       gaussian_field([&](double, double) { return wrinkle.floor_mm4; }, extent, mixed(seed, 1));

@@ -17,9 +17,8 @@ SlopeCovariance all_slopes(const RepeatedCovariance<>& covariance) {
   // Of the kernel n periods away, whose slope at 0 is 2 M n p times its value.
   const double across = kernel.xx * x + kernel.xy * y, up = kernel.xy * x + kernel.yy * y;
   const double a = fall + kernel.exponent(x, y);
-  constexpr double nothing = 45.0;  // e^-45 is less than rounding
   SlopeCovariance sum;
-  for (double n = -std::floor(std::sqrt(nothing / a)); a * n * n <= nothing; ++n) {
+  for (double n = -std::floor(std::sqrt(no_likeness / a)); a * n * n <= no_likeness; ++n) {
     const double value = kernel.variance * std::exp(-a * n * n);
     sum.xx += value * (2.0 * kernel.xx - 4.0 * n * n * across * across);
     sum.xy += value * (2.0 * kernel.xy - 4.0 * n * n * across * up);

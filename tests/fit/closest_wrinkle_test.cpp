@@ -1,6 +1,7 @@
 #include "fit/closest_wrinkle.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ TEST(ClosestWrinkle, IsUnsureOfWhatExplainsBadly) {
 
 // Lines across the threads, as twill has them, over a ground that falls off.
 double twill_psd(double fx, double fy) {
-  const double line = std::pow(std::sin(3.14159265 * (0.3 * fx + 1.0 * fy)), 2);
+  const double line = std::pow(std::sin(std::numbers::pi * (0.3 * fx + 1.0 * fy)), 2);
   return (1e-6 + 1e-4 / (1.0 + 30.0 * line)) * std::exp(-0.2 * (fx * fx + fy * fy));
 }
 

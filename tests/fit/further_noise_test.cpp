@@ -40,7 +40,8 @@ TEST(FurtherNoise, FindsWhatComesBack) {
   ASSERT_FALSE(found.empty());
   ASSERT_EQ(found.front().repeated.size(), 1u);
   const auto& noise = found.front().repeated.front();
-  // A search in a hurry: near enough to go on from.
+  // A search in a hurry, good to go on from: lines 1 / (2 pi 3) of their distance wide are told
+  // apart where a period is known to that share, 0.05 mm along it, and 0.05 rad across.
   EXPECT_NEAR(noise.period_mm, 0.9, 0.05);
   EXPECT_NEAR(noise.period_angle_rad, 1.2, 0.1);
   EXPECT_GT(noise.repeats, 1.0);
@@ -57,10 +58,11 @@ TEST(FurtherNoise, BeginsWithWhatDoesNotComeBack) {
 }
 
 TEST(FurtherNoise, BoundsWhatAMapCannotShow) {
-  const auto bounds = seen_bounds_of(RepeatedNoise<>{}, 0.5);
+  const auto bounds = seen_bounds_of(RepeatedNoise<>{}, {100, 200, 0.5, Unit::mm});
   ASSERT_EQ(bounds.size(), RepeatedNoise<>::fields().size());
   EXPECT_DOUBLE_EQ(std::exp(bounds[1].low), 0.05);
   EXPECT_DOUBLE_EQ(std::exp(bounds[4].low), 1.0);
+  EXPECT_DOUBLE_EQ(std::exp(bounds[4].high), 25.0);
   EXPECT_EQ(bounds[0].low, solver_bounds(RepeatedNoise<>::fields()[0]).low);
 }
 

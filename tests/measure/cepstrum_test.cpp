@@ -1,5 +1,8 @@
 #include "measure/cepstrum.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/surface.h"
@@ -36,7 +39,7 @@ TEST(Cepstrum, FindsThePeriodOfWhatComesBack) {
   ASSERT_EQ(found.size(), 3u);
   const Eigen::Vector2d period(1.13 * std::cos(1.9), 1.13 * std::sin(1.9));
   const double off = std::min((found[0] - period).norm(), (found[0] + period).norm());
-  EXPECT_LT(off, 0.1);  // to the next pixel on both axes: 0.07
+  EXPECT_LT(off, 0.1);  // a pixel, which the parabola halves
 }
 
 TEST(Cepstrum, SaysNothingAgainOfWhatIsExpected) {

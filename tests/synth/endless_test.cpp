@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "core/fft.h"
 #include "core/parallel.h"
 
@@ -99,6 +100,13 @@ TEST(EndlessField, IsTheSameAtAnyThreadCount) {
   const auto two = endless_field(sheet(), window, {7.0, 0.0}, 2);
   set_threads(0);
   EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin()));
+}
+
+TEST(EndlessField, RefusesWhatWouldTakeHours) {
+  Wrinkle<> threads;
+  threads.repeated = {{0.2, 0.1, 0.1, 0.0, 1.0, 0.0, 30.0}};
+  const Extent large{12000, 12000, 0.1, Unit::mm};
+  EXPECT_THROW(endless_field(threads, large, {0.0, 0.0}, 1), Error);
 }
 
 TEST(EndlessField, ComesBackAfterAPeriod) {

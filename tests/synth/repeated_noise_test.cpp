@@ -45,7 +45,21 @@ TEST(RepeatedNoise, HasASpectrumThatIsTheTransformOfItsAutocovariance) {
             value_at(covariance, dx, dy) * std::cos(2.0 * pi * (fx * dx + fy * dy)) * step * step;
       }
     }
+    // Sums over steps of 0.05 mm of Gaussians 0.14 mm wide are exact to exp(-2 pi^2 2.8^2 / 2).
     EXPECT_NEAR(sum, psd(ribs(1.5), fx, fy), 1e-9) << fx << " " << fy;
+  }
+}
+
+TEST(RepeatedNoise, IsMultipliedByItsWindow) {
+  auto overlapping = ribs(2.0);  // a kernel longer than its period
+  overlapping.period_mm = 0.4;
+  const auto covariance = autocovariance(overlapping);
+  const GaussianWindow window{0.06, -0.02, 0.1};
+  const auto narrow = narrowed(covariance, window);
+  for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {0.3, 0.1}, {-1.1, 0.7}, {2.0, -0.5}}) {
+    const double by =
+        std::exp(-(window.xx * dx * dx + 2.0 * window.xy * dx * dy + window.yy * dy * dy));
+    EXPECT_NEAR(value_at(narrow, dx, dy), by * value_at(covariance, dx, dy), 1e-14);
   }
 }
 
@@ -88,7 +102,8 @@ TEST(RepeatedNoise, HasACombThatIsOneInTheMeanAndItsDerivatives) {
     if (std::abs(width - 0.5) < h) continue;
     EXPECT_NEAR(at.v[1], (comb(1.37, width + h) - comb(1.37, width - h)) / (2 * h), 1e-6) << width;
   }
-  EXPECT_NEAR(comb(0.3, 0.4999999), comb(0.3, 0.5000001), 1e-6);
+  for (const double phase : {0.0, 0.3, 0.5})  // where one form takes over from the other
+    EXPECT_NEAR(comb(phase, 0.4999999), comb(phase, 0.5000001), 1e-6);
 }
 
 }  // namespace

@@ -61,5 +61,23 @@ TEST(Wrinkle, AddsItsComponentsAndItsFloor) {
   EXPECT_DOUBLE_EQ(psd(both, 0.2, 0.1), 0.01 + psd(oriented, 0.2, 0.1) + psd(other, 0.2, 0.1));
 }
 
+TEST(Wrinkle, KeepsThePowerOfThinLinesOnATile) {
+  for (const double repeats : {0.5, 3.0, 10.0, 30.0}) {
+    for (const double side : {20.0, 20.5}) {  // whole periods, and not
+      Wrinkle<> threads;
+      threads.components.clear();
+      threads.repeated = {{0.3, 0.4, 0.2, 0.5, 1.0, 0.0, repeats}};
+      const Extent tile{205, 205, side / 205, Unit::mm};
+      const auto spectrum = spectrum_of(threads, window_of_tile(threads, tile));
+      double sum = 0.0;
+      for (int i = -102; i <= 102; ++i) {
+        for (int j = -102; j <= 102; ++j) sum += spectrum(j / side, i / side);
+      }
+      // Lines half a step wide ripple by 2 exp(-pi^2 / 2) = 1.4 % with where they lie.
+      EXPECT_NEAR(sum / (side * side) / 0.09, 1.0, 0.015) << repeats << " " << side;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hada
