@@ -54,6 +54,7 @@ const std::map<std::string, Names> doors = {
     {"io/json_light.h", {}},
     {"fit/solve.h", {"ceres"}},
     {"fit/whittle.h", {"ceres"}},
+    {"fit/spectral_distance.h", {}},
     {"capture/joint_problem.h", {"ceres"}},
     {"capture/opencv_view.h", {"opencv2"}},
 };
