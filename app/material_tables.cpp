@@ -47,6 +47,7 @@ Json material_json() {
   };
   const auto add_parts = [&]<class Part>(const PartList<M, Part>& list) {
     add(list, fields_json<Part>());
+    json["lists"].back()["part"] = json_of(Part{});  // one as it begins
   };
   if constexpr (HasParts<M>) {
     std::apply([&](const auto&... lists) { (add_parts(lists), ...); }, M::parts());

@@ -3,7 +3,7 @@ import { make } from '../parts.js';
 
 /**
  * @typedef {{name: string, low: number, high: number, scale: string, unit: string, meaning: string}} Field
- * @typedef {{name: string, fewest: number, most: number, fields: Field[]}} List
+ * @typedef {{name: string, fewest: number, most: number, fields: Field[], part?: any}} List
  * @typedef {{name: string, rule: string, meaning: string}} Word
  * @typedef {{name: string, summary: string, fields: Field[], lists: List[], words: Word[], defaults: any}} Table
  */
@@ -94,7 +94,7 @@ function wordControl(word, parameters, changed) {
 
 /** @param {List} list @param {any} parameters @param {() => void} changed @param {() => void} refill */
 function listControls(list, parameters, changed, refill) {
-  const values = parameters[list.name];
+  const values = (parameters[list.name] ??= []); // a file leaves out what there is none of
   const numbers = list.fields.length === 1 && list.fields[0].name === list.name;
   const group = make('fieldset', { class: 'list' }, make('legend', {}, list.name));
   if (numbers && list.most > 3) {
@@ -132,7 +132,7 @@ function listControls(list, parameters, changed, refill) {
     const add = make('button', { type: 'button', class: 'small' }, 'Add another');
     add.addEventListener('click', () => {
       const last = values[values.length - 1];
-      values.push(last ? structuredClone(last) : Object.fromEntries(list.fields.map((f) => [f.name, Math.max(f.low, Math.min(f.high, 1))])));
+      values.push(structuredClone(last ?? list.part));
       refill();
       changed();
     });
