@@ -167,18 +167,24 @@ std::vector<double> echoes(const RepeatedNoise<>& noise) {
   return loudness;
 }
 
+void check_effort(const Wrinkle<>& wrinkle, const Extent& window) {
+  constexpr double most = 1e10;  // pixels in all passes: some minutes
+  for (const auto& noise : wrinkle.repeated) {
+    const auto last = echoes(noise).size() - 1;
+    if ((2.0 * double(last) + 1.0) * window.rows * window.cols > most) {
+      throw Error("synthesis: a window of so many pixels, and noise that comes back " +
+                  std::to_string(last) +
+                  " times each way, take too long; ask for a smaller window, or for a surface that "
+                  "tiles");
+    }
+  }
+}
+
 void add_repeated(Grid<float>& field, const RepeatedNoise<>& noise, std::uint64_t key,
                   const Extent& window, const std::array<double, 2>& middle) {
   const auto covariance = autocovariance(noise);
   const auto loudness = echoes(noise);
   const int last = int(loudness.size()) - 1;
-  constexpr double most = 1e10;  // pixels in all passes: some minutes
-  if ((2.0 * last + 1.0) * double(field.size()) > most) {
-    throw Error("synthesis: a window of so many pixels, and noise that comes back " +
-                std::to_string(last) +
-                " times each way, take too long; ask for a smaller window, "
-                "or for a surface that tiles");
-  }
   WrinkleComponent<> kernel = kernel_of(noise);
   for (int n = -last; n <= last; ++n) {
     kernel.amplitude_mm =
@@ -208,6 +214,7 @@ void add_floor(Grid<float>& field, const Extent& window, const std::array<double
 
 Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
                           const std::array<double, 2>& middle, Seed seed) {
+  check_effort(wrinkle, window);
   const int margin = has_ridges(wrinkle) ? felt_by_ridges(wrinkle, window.pitch) : 0;
   const Extent wider{window.rows + 2 * margin, window.cols + 2 * margin, window.pitch, window.unit};
   Grid<float> field(wider.rows, wider.cols);

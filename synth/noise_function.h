@@ -8,6 +8,22 @@
 
 namespace hada {
 
+/// The fields of a noise function's kernel, whoever owns it.
+template <class Owner, class T>
+constexpr auto kernel_fields() {
+  using F = Field<Owner, T>;
+  return std::array{
+      F{"amplitude_mm", &Owner::amplitude_mm, 1e-6, 100.0, Scale::log, "mm",
+        "standard deviation of the height"},
+      F{"long_mm", &Owner::long_mm, 1e-3, 1000.0, Scale::log, "mm",
+        "standard deviation of the kernel along its long axis"},
+      F{"short_mm", &Owner::short_mm, 1e-3, 1000.0, Scale::log, "mm",
+        "standard deviation of the kernel across its long axis"},
+      F{"angle_rad", &Owner::angle_rad, 0.0, std::numbers::pi, Scale::half_turn, "rad",
+        "direction of the long axis, counter-clockwise from +x, modulo pi"},
+  };
+}
+
 /// One noise function of a wrinkled sheet: white noise under an elliptic, oriented Gaussian kernel.
 template <class T = double>
 struct WrinkleComponent {
@@ -16,19 +32,7 @@ struct WrinkleComponent {
   T short_mm{2.0};
   T angle_rad{0.0};
 
-  static constexpr auto fields() {
-    using F = Field<WrinkleComponent, T>;
-    return std::array{
-        F{"amplitude_mm", &WrinkleComponent::amplitude_mm, 1e-6, 100.0, Scale::log, "mm",
-          "standard deviation of the height"},
-        F{"long_mm", &WrinkleComponent::long_mm, 1e-3, 1000.0, Scale::log, "mm",
-          "standard deviation of the kernel along its long axis"},
-        F{"short_mm", &WrinkleComponent::short_mm, 1e-3, 1000.0, Scale::log, "mm",
-          "standard deviation of the kernel across its long axis"},
-        F{"angle_rad", &WrinkleComponent::angle_rad, 0.0, std::numbers::pi, Scale::half_turn, "rad",
-          "direction of the long axis, counter-clockwise from +x, modulo pi"},
-    };
-  }
+  static constexpr auto fields() { return kernel_fields<WrinkleComponent, T>(); }
 };
 
 /// What multiplies an autocovariance by exp(-(xx dx^2 + 2 xy dx dy + yy dy^2)), 1/mm^2: a taper

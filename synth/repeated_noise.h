@@ -28,15 +28,12 @@ struct RepeatedNoise {
 
   static constexpr auto fields() {
     using F = Field<RepeatedNoise, T>;
+    const auto [amplitude, longer, shorter, angle] = kernel_fields<RepeatedNoise, T>();
     return std::array{
-        F{"amplitude_mm", &RepeatedNoise::amplitude_mm, 1e-6, 100.0, Scale::log, "mm",
-          "standard deviation of the height"},
-        F{"long_mm", &RepeatedNoise::long_mm, 1e-3, 1000.0, Scale::log, "mm",
-          "standard deviation of the kernel along its long axis"},
-        F{"short_mm", &RepeatedNoise::short_mm, 1e-3, 1000.0, Scale::log, "mm",
-          "standard deviation of the kernel across its long axis"},
-        F{"angle_rad", &RepeatedNoise::angle_rad, 0.0, std::numbers::pi, Scale::half_turn, "rad",
-          "direction of the long axis, counter-clockwise from +x, modulo pi"},
+        amplitude,
+        longer,
+        shorter,
+        angle,
         F{"period_mm", &RepeatedNoise::period_mm, 1e-3, 1000.0, Scale::log, "mm",
           "distance after which it comes back"},
         F{"period_angle_rad", &RepeatedNoise::period_angle_rad, 0.0, std::numbers::pi,
