@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cut_picture.h"
 #include "fit/wrinkle.h"
 #include "synth/gaussian_field.h"
 
@@ -14,16 +15,6 @@ namespace {
 // Scales without a size of their own, drawn out along x: no sum of Gaussian kernels.
 double fractal_psd(double fx, double fy) {
   return 1e-3 / std::pow(0.04 + 4.0 * fx * fx + fy * fy, 1.3);
-}
-
-Surface fractal_picture(Seed seed) {
-  // Cut from a larger field: it does not tile.
-  const Extent world{.rows = 400, .cols = 400, .pitch = 0.1, .unit = Unit::mm};
-  Surface surface;
-  surface.extent = {.rows = 256, .cols = 256, .pitch = 0.1, .unit = Unit::mm};
-  surface.mask = full_mask(surface.extent);
-  surface.albedo = Image(crop(gaussian_field(fractal_psd, world, seed), 0, 0, 256, 256));
-  return surface;
 }
 
 /// Mean and root mean square over the plane of how far the model is from the truth, in dB.
@@ -42,7 +33,7 @@ std::pair<double, double> distance_db(const Wrinkle<>& wrinkle) {
 }
 
 TEST(ClosestWrinkle, ComesNearASpectrumThatIsNoWrinkles) {
-  const auto fit = fit_wrinkle(fractal_picture(3));
+  const auto fit = fit_wrinkle(cut_picture(fractal_psd, 3));
   EXPECT_GE(fit.material.components.size() + fit.material.repeated.size(), 3u);
   const auto [bias, rms] = distance_db(fit.material);
   // Five Gaussian curves over two decades are one for each factor of 2.5: a sum of such, fitted to
@@ -52,7 +43,7 @@ TEST(ClosestWrinkle, ComesNearASpectrumThatIsNoWrinkles) {
 }
 
 TEST(ClosestWrinkle, IsUnsureOfWhatExplainsBadly) {
-  const auto surface = fractal_picture(4);
+  const auto surface = cut_picture(fractal_psd, 4);
   const auto observed = observe(surface);
   const auto fit = closest_wrinkle(observed, 1);
   ASSERT_EQ(fit.material.components.size(), 1u);
@@ -67,10 +58,7 @@ double twill_psd(double fx, double fy) {
 }
 
 TEST(ClosestWrinkle, MakesWhatComesBack) {
-  const Extent world{.rows = 400, .cols = 400, .pitch = 0.1, .unit = Unit::mm};
-  Surface surface = fractal_picture(3);
-  surface.albedo = Image(crop(gaussian_field(twill_psd, world, 6), 0, 0, 256, 256));
-  const auto fit = fit_wrinkle(surface, {.components = 2});
+  const auto fit = fit_wrinkle(cut_picture(twill_psd, 6), {.components = 2});
   ASSERT_EQ(fit.material.repeated.size(), 1u);
   ASSERT_EQ(fit.material.components.size(), 1u);
   double squares = 0.0, plain = 0.0;
@@ -91,7 +79,7 @@ TEST(ClosestWrinkle, MakesWhatComesBack) {
 TEST(ClosestWrinkle, LeavesWrinklesAlone) {
   Wrinkle<> truth;
   truth.components = {{.amplitude_mm = 0.1, .long_mm = 0.6, .short_mm = 0.3, .angle_rad = 0.4}};
-  Surface surface = fractal_picture(5);
+  Surface surface = cut_picture(fractal_psd, 5);
   surface.albedo = Image(gaussian_field(spectrum_of(truth), surface.extent, 6));
   const auto fit = fit_wrinkle(surface, {.components = 1});
   // 256 x 256 pixels hold about 1000 waves of this size: its length is known to 2 %, times 4.

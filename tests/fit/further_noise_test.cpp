@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "synth/gaussian_field.h"
+#include "cut_picture.h"
 
 namespace hada {
 namespace {
@@ -25,12 +25,7 @@ Wrinkle<> ribs() {
 }
 
 Observation seen_of(const Wrinkle<>& wrinkle) {
-  const Extent world{.rows = 400, .cols = 400, .pitch = 0.1, .unit = Unit::mm};
-  Surface surface;
-  surface.extent = {.rows = 256, .cols = 256, .pitch = 0.1, .unit = Unit::mm};
-  surface.mask = full_mask(surface.extent);
-  surface.albedo = Image(crop(gaussian_field(spectrum_of(wrinkle), world, 8), 0, 0, 256, 256));
-  return observe(surface);
+  return observe(cut_picture(spectrum_of(wrinkle), 8));
 }
 
 TEST(FurtherNoise, FindsWhatComesBack) {
