@@ -7,6 +7,7 @@ cd "$(dirname "$0")"
 passed=0
 failed=0
 closing="No tests were run"
+culprits="" # for the last lines: what a log of thousands ends with
 
 # Counts one step that is no test: step NAME COMMAND...
 step() {
@@ -19,6 +20,7 @@ step() {
   fi
   failed=$((failed + 1))
   echo "FAILED: $name"
+  culprits+="FAILED: $name"$'\n'
   return 1
 }
 
@@ -38,6 +40,11 @@ tests() {
   fi
   failed=$((failed + bad))
   passed=$((passed + all - bad))
+  if ((bad > 0)); then
+    # ctest's list of them, then what the tests themselves said
+    culprits+=$(sed -n '/^The following tests FAILED:/,/^$/p' "$log")$'\n'
+    culprits+=$(grep -E -A 8 '^[^ ]+:[0-9]+: Failure|Error: ' "$log" | head -60)$'\n'
+  fi
 }
 
 build() { cmake --preset "$1" > /dev/null && cmake --build --preset "$1"; }
@@ -55,6 +62,7 @@ step "Clang builds everything with sanitizers" build sanitize && tests build-san
 
 # What docs/results.md quotes.
 echo "$SECONDS" > build/test_seconds.txt
+printf '%s' "$culprits"
 echo "$gcc_closing"
 echo "$passed passed, $failed failed"
 ((failed == 0))
