@@ -36,8 +36,8 @@ Grid<T> inverse_fft(const Grid<std::complex<T>>& half, int cols) {
   const int rows = half.rows();
   // OpenCV's packed layout (CCS) of the transform of a real matrix: real and imaginary parts of the
   // columns 1 .. side by side, the self-conjugate first (and, for even cols, last) column folded.
-  Grid<T> packed_grid(rows, cols);
-  cv::Mat packed = view(packed_grid);
+  Grid<T> real(rows, cols);
+  cv::Mat packed = view(real);
   const auto fold_column = [&](int column_of_half, int column) {
     const auto at = [&](int row) -> std::complex<T> { return half(row, column_of_half); };
     packed.at<T>(0, column) = at(0).real();
@@ -56,10 +56,8 @@ Grid<T> inverse_fft(const Grid<std::complex<T>>& half, int cols) {
       target[2 * col] = half(row, col).imag();
     }
   }
-  Grid<T> real(rows, cols);
-  cv::Mat target = view(real);
-  cv::idft(packed, target, cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
-  assert(target.ptr<T>() == real.data());
+  cv::idft(packed, packed, cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);  // in its own place
+  assert(packed.ptr<T>() == real.data());
   return real;
 }
 

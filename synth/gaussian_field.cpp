@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/fft.h"
@@ -53,18 +54,28 @@ bool is_nyquist(int k, int n) {
   return 2 * k == n;
 }
 
-Grid<float> sample(const PsdOfRow& psd, const Extent& extent) {
-  Grid<float> density(extent.rows, extent.cols / 2 + 1);
+// The density as real parts, where the coefficients will stand: a map of its own would cost the
+// time in which fresh memory is had.
+Grid<std::complex<float>> sample(const PsdOfRow& psd, const Extent& extent) {
+  Grid<std::complex<float>> density(extent.rows, extent.cols / 2 + 1);
   std::vector<double> fx;
   for (int col = 0; col < density.cols(); ++col) fx.push_back(col / extent.width());
   for_each_index(extent.rows, [&](int row) {
     if (is_nyquist(row, extent.rows)) return;
     const double fy = -signed_frequency(row, extent.rows) / extent.height();  // rows run downward
-    psd(fx, fy, &density(row, 0));
-    if (is_nyquist(density.cols() - 1, extent.cols)) density(row, density.cols() - 1) = 0.0f;
-    if (row == 0) density(row, 0) = 0.0f;
+    std::vector<float> line(fx.size());
+    psd(fx, fy, line.data());
+    if (is_nyquist(density.cols() - 1, extent.cols)) line.back() = 0.0f;
+    if (row == 0) line.front() = 0.0f;
+    std::copy(line.begin(), line.end(), density.row(row).begin());
   });
   return density;
+}
+
+float largest_real(const Grid<std::complex<float>>& grid) {
+  float largest = 0.0f;
+  for (const auto& value : grid) largest = std::max(largest, value.real());
+  return largest;
 }
 
 // a b, without the care for infinities that operator* takes.
@@ -75,23 +86,23 @@ std::complex<float> product(const std::complex<float>& a, const std::complex<flo
 }  // namespace
 
 Grid<float> gaussian_field_by_rows(const PsdOfRow& psd, const Extent& extent, Seed seed) {
-  const Grid<float> density = sample(psd, extent);
-  if (density.empty()) return {};
-  const double least = negligible * *std::max_element(density.begin(), density.end());
+  Grid<std::complex<float>> half = sample(psd, extent);
+  if (half.empty()) return {};
+  const double least = negligible * largest_real(half);
   const double area = extent.width() * extent.height();
   const auto size = double(extent.rows) * extent.cols;  // inverse_fft divides by it
   const auto row_turns = half_sample_turns(extent.rows, extent.rows);
-  const auto col_turns = half_sample_turns(density.cols(), extent.cols);
+  const auto col_turns = half_sample_turns(half.cols(), extent.cols);
 
-  Grid<std::complex<float>> half(density.rows(), density.cols());
-  for_each_index(density.rows(), [&](int row) {
+  for_each_index(half.rows(), [&](int row) {
     const Coefficients coefficients(seed, signed_frequency(row, extent.rows));
-    for (int col = 0; col < density.cols(); ++col) {
-      if (density(row, col) <= least) continue;
-      const float amplitude = float(size * std::sqrt(density(row, col) / area));
-      half(row, col) =
-          amplitude * product(coefficients.at(col),
-                              product(row_turns[std::size_t(row)], col_turns[std::size_t(col)]));
+    for (int col = 0; col < half.cols(); ++col) {
+      std::complex<float>& value = half(row, col);
+      const float density = std::exchange(value, {}).real();
+      if (density <= least) continue;
+      const float amplitude = float(size * std::sqrt(density / area));
+      value = amplitude * product(coefficients.at(col), product(row_turns[std::size_t(row)],
+                                                                col_turns[std::size_t(col)]));
     }
   });
   return inverse_fft(half, extent.cols);
