@@ -15,4 +15,8 @@ struct PixelBox {
 /// The smallest rectangle that holds every pixel of `mask`, which must not be empty.
 PixelBox bounding_box(const Mask& mask);
 
+/// The rectangle of most pixels that are all in `mask`; the first of several, empty of an empty
+/// one.
+PixelBox largest_box_inside(const Mask& mask);
+
 }  // namespace hada

@@ -1,0 +1,170 @@
+#include "measure/hump_mixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace hada {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double patch_growth = 0.04;         // of the frequency, as a logarithm
+constexpr double patch_angle = pi / 45.0;     // 4 degrees
+constexpr double least_waves = 1.2;           // over the shorter side; with fewer the taper decides
+constexpr double most_of_sampling = 0.45;     // cycles per pixel
+constexpr double longest_share = 1.0 / 0.75;  // wavelength of a hump over the longer side
+constexpr double faintest = 1e-9;  // of the highest power: below it lies what a taper lets through
+constexpr int ground_count = 3;
+constexpr int most_rounds = 60;
+constexpr double longest_step = 0.7;  // of a logarithm or an angle, where the quadratic still holds
+constexpr double enough = 1e-3;       // of the deviance, far below what tells mixtures apart
+
+/// The parameters of a mixture in a row: those of the humps, then those of the ground.
+Eigen::VectorXd packed(const HumpMixture& mixture) {
+  Eigen::VectorXd x(SpectralHump::parameter_count * int(mixture.humps.size()) + ground_count);
+  Eigen::Index at = 0;
+  for (const SpectralHump& hump : mixture.humps) {
+    for (const double value : hump.parameters()) x[at++] = value;
+  }
+  x.tail<ground_count>() << mixture.log_floor, mixture.log_fall, mixture.steepness;
+  return x;
+}
+
+HumpMixture unpacked(const Eigen::VectorXd& x, const HumpMixture& like, const HumpBounds& bounds) {
+  HumpMixture mixture = like;
+  Eigen::Index at = 0;
+  for (SpectralHump& hump : mixture.humps) {
+    SpectralHump::Parameters values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = std::clamp(x[at++], bounds.low[i], bounds.high[i]);
+    hump = hump.with(values);
+  }
+  mixture.log_floor = x[at++];
+  mixture.log_fall = x[at++];
+  mixture.steepness = std::clamp(x[at], 0.5, 5.0);  // of surfaces: beyond lies nothing that is met
+  return mixture;
+}
+
+double deviance(const HumpMixture& mixture, const std::vector<SpectralPatch>& patches) {
+  double sum = 0.0;
+  for (const SpectralPatch& patch : patches) {
+    const double density = mixture.density(patch.fx, patch.fy);
+    sum += patch.count * (patch.power / density + std::log(density));
+  }
+  return sum;
+}
+
+/// Slope of minus the deviance and its expected curvature.
+struct Score {
+  Eigen::VectorXd slope;
+  Eigen::MatrixXd information;
+};
+
+Score score_of(const HumpMixture& mixture, const std::vector<SpectralPatch>& patches) {
+  const auto count =
+      Eigen::Index(SpectralHump::parameter_count * int(mixture.humps.size()) + ground_count);
+  Score score{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
+  Eigen::VectorXd row(count);
+  for (const SpectralPatch& patch : patches) {
+    const double log_f = std::log(std::hypot(patch.fx, patch.fy));
+    const double floor = std::exp(mixture.log_floor);
+    const double fall = std::exp(mixture.log_fall - mixture.steepness * log_f);
+    double density = floor + fall;
+    Eigen::Index at = 0;
+    for (const SpectralHump& hump : mixture.humps) {
+      SpectralHump::Parameters derivatives;
+      const double part = hump.density(patch.fx, patch.fy, derivatives);
+      for (const double derivative : derivatives) row[at++] = part * derivative;
+      density += part;
+    }
+    row.tail<ground_count>() << floor, fall, -fall * log_f;
+    row /= density;
+    score.slope += patch.count * (patch.power / density - 1.0) * row;
+    score.information.selfadjointView<Eigen::Lower>().rankUpdate(row, patch.count);
+  }
+  score.information = Eigen::MatrixXd(score.information.selfadjointView<Eigen::Lower>());
+  return score;
+}
+
+}  // namespace
+
+std::vector<SpectralPatch> patches_of(const Spectrum& spectrum) {
+  const Extent& extent = spectrum.extent;
+  const double least = least_waves / std::min(extent.width(), extent.height());
+  const double most = most_of_sampling / extent.pitch;
+  std::map<std::pair<int, int>, SpectralPatch> patches;
+  for (int row = 0; row < spectrum.power.rows(); ++row) {
+    const double fy = spectrum.fy(row);
+    for (int col = 0; col <= spectrum.power.cols() / 2; ++col) {
+      const double fx = spectrum.fx(col), f = std::hypot(fx, fy);
+      if (f < least || f > most || (fx == 0.0 && fy < 0.0) || !(spectrum.power(row, col) > 0.0))
+        continue;
+      SpectralPatch& patch = patches[{int(std::floor(std::log(f) / patch_growth)),
+                                      int(std::floor(std::atan2(fy, fx) / patch_angle))}];
+      patch.fx += fx;
+      patch.fy += fy;
+      patch.power += spectrum.power(row, col);
+      patch.count += 1.0;
+    }
+  }
+  std::vector<SpectralPatch> result;
+  double highest = 0.0;
+  for (auto& [place, patch] : patches) {
+    result.push_back(
+        {patch.fx / patch.count, patch.fy / patch.count, patch.power / patch.count, patch.count});
+    highest = std::max(highest, result.back().power);
+  }
+  for (SpectralPatch& patch : result) patch.power += faintest * highest;
+  return result;
+}
+
+double HumpMixture::ground(double f) const {
+  return std::exp(log_floor) + std::exp(log_fall - steepness * std::log(f));
+}
+
+double HumpMixture::density(double fx, double fy) const {
+  double sum = ground(std::hypot(fx, fy));
+  for (const SpectralHump& hump : humps) sum += hump.density(fx, fy);
+  return sum;
+}
+
+HumpBounds hump_bounds(const Extent& extent) {
+  const double longest = longest_share * std::max(extent.width(), extent.height());
+  constexpr double any = 1e3;  // a logarithm or an angle that nothing reaches
+  return {{-any, -std::log(longest), std::log(0.05), std::log(0.05), -any},
+          {any, std::log(0.5 / extent.pitch), std::log(0.8), std::log(2.0), any}};
+}
+
+HumpFit fitted(const HumpMixture& start, const std::vector<SpectralPatch>& patches,
+               const HumpBounds& bounds) {
+  HumpFit best{start, deviance(start, patches)};
+  double damping = 1e-2;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Score score = score_of(best.mixture, patches);
+    const Eigen::VectorXd x = packed(best.mixture);
+    const double before = best.deviance;
+    for (int tries = 0; tries < 8 && best.deviance == before; ++tries) {
+      Eigen::MatrixXd damped = score.information;
+      damped.diagonal().array() += damping * (score.information.diagonal().array() + 1e-6);
+      const Eigen::VectorXd step =
+          damped.ldlt().solve(score.slope).cwiseMax(-longest_step).cwiseMin(longest_step);
+      const HumpMixture tried = unpacked(x + step, best.mixture, bounds);
+      const double deviance_there = deviance(tried, patches);
+      if (deviance_there < before) {
+        best = {tried, deviance_there};
+        damping = std::max(damping / 4.0, 1e-8);
+      } else {
+        damping *= 6.0;
+      }
+    }
+    if (!(before - best.deviance > enough)) break;
+  }
+  return best;
+}
+
+}  // namespace hada

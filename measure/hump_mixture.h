@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "measure/spectral_hump.h"
+#include "measure/spectrum.h"
+
+namespace hada {
+
+/// Neighbouring ordinates of a spectrum, seen as one.
+struct SpectralPatch {
+  double fx = 0.0, fy = 0.0;  // mean frequency, cycles per unit
+  double power = 0.0;         // mean, unit^4
+  double count = 0.0;         // ordinates; f and -f count once
+};
+
+/// The half plane of a spectrum in patches of 4 % of the frequency and 4 degrees; near 0 an
+/// ordinate each. Left out are the waves that hardly fit into the map once, and those near the
+/// Nyquist frequency.
+std::vector<SpectralPatch> patches_of(const Spectrum& spectrum);
+
+/// A spectrum as a sum: humps, over white noise and a power of the frequency.
+struct HumpMixture {
+  std::vector<SpectralHump> humps;
+  double log_floor = 0.0;  // of the white noise, unit^4
+  double log_fall = 0.0;   // of the power law at 1 cycle per unit, unit^4
+  double steepness = 2.0;  // of the power law: it goes with frequency to the minus this
+
+  double ground(double f) const;  // what is no hump, unit^4; f > 0
+  double density(double fx, double fy) const;
+};
+
+/// Bounds of what a map of that size and pitch can tell.
+struct HumpBounds {
+  SpectralHump::Parameters low, high;
+};
+HumpBounds hump_bounds(const Extent& extent);
+
+struct HumpFit {
+  HumpMixture mixture;
+  double deviance =
+      0.0;  // sum over ordinates of P / S + log S; the less the likelier, by 1 per nat
+};
+
+/// The likeliest mixture near `start` (Whittle's likelihood, by Fisher scoring with a damping).
+///
+/// patches  at least one, all with power
+HumpFit fitted(const HumpMixture& start, const std::vector<SpectralPatch>& patches,
+               const HumpBounds& bounds);
+
+}  // namespace hada
