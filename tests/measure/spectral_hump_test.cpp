@@ -1,0 +1,54 @@
+#include "measure/spectral_hump.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace hada {
+namespace {
+
+const SpectralHump waves{std::log(0.3), std::log(0.2), std::log(0.15), std::log(0.25), 0.7, false};
+const SpectralHump ring{std::log(0.3), std::log(0.2), std::log(0.15), 0.0, 0.0, true};
+
+double variance_of(const SpectralHump& hump) {
+  constexpr double step = 0.004;
+  double sum = 0.0;
+  for (double fy = -0.6; fy < 0.6; fy += step) {
+    for (double fx = -0.6; fx < 0.6; fx += step) sum += hump.density(fx, fy) * step * step;
+  }
+  return sum;
+}
+
+TEST(SpectralHump, HoldsItsVariance) {
+  // A sum over so smooth a density is exact but for what lies beyond 0 on the other half plane: at
+  // 1 / 0.15 widths, nothing.
+  EXPECT_NEAR(variance_of(waves), 0.3, 1e-4);
+  EXPECT_NEAR(variance_of(ring), 0.3, 1e-4);
+}
+
+TEST(SpectralHump, IsTheSameAtBothSidesOfZero) {
+  EXPECT_DOUBLE_EQ(waves.density(0.11, 0.13), waves.density(-0.11, -0.13));
+  EXPECT_GT(waves.density(0.2 * std::cos(0.7), 0.2 * std::sin(0.7)), waves.density(0.2, 0.0));
+  EXPECT_DOUBLE_EQ(ring.density(0.2, 0.0), ring.density(0.0, -0.2));
+}
+
+TEST(SpectralHump, HasTheDerivativesOfItsLogarithm) {
+  for (const SpectralHump& hump : {waves, ring}) {
+    SpectralHump::Parameters told;
+    const double density = hump.density(0.14, 0.11, told);
+    EXPECT_DOUBLE_EQ(density, hump.density(0.14, 0.11));
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      constexpr double step = 1e-5;  // an error of step^2 times a third derivative of some hundreds
+      auto higher = hump.parameters(), lower = higher;
+      higher[i] += step;
+      lower[i] -= step;
+      const double slope =
+          std::log(hump.with(higher).density(0.14, 0.11) / hump.with(lower).density(0.14, 0.11)) /
+          (2.0 * step);
+      EXPECT_NEAR(told[i], slope, 1e-6) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hada
