@@ -16,6 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int steps_across = 128;      // of the coarse map
+constexpr int fewest_steps = 16;       // over the shorter side
 constexpr double least_steps = 8.0;    // in a wave, so that the means over blocks tell it
 constexpr double widening = 1.3;       // of the plane, so that opposite borders are no neighbours
 constexpr double noise_share = 0.02;   // of the deviation of the map: what need not be explained
@@ -35,7 +36,9 @@ struct CoarseMap {
 
 CoarseMap coarse_map(const Grid<float>& map, const Mask& mask, double pitch) {
   const PixelBox box = bounding_box(mask);
-  const int block = std::max(1, (std::max(box.rows, box.cols) + steps_across - 1) / steps_across);
+  const int longer = std::max(box.rows, box.cols), shorter = std::min(box.rows, box.cols);
+  const int block =
+      std::max(1, std::min((longer + steps_across - 1) / steps_across, shorter / fewest_steps));
   const int rows = (box.rows + block - 1) / block, cols = (box.cols + block - 1) / block;
   CoarseMap coarse{box, block, Grid<double>(rows, cols), Mask(rows, cols, 0), block * pitch};
   double sum = 0.0, count = 0.0;
@@ -62,6 +65,14 @@ CoarseMap coarse_map(const Grid<float>& map, const Mask& mask, double pitch) {
     coarse.variance += coarse.height[i] * coarse.height[i] / count;
   }
   return coarse;
+}
+
+// Whether a spectrum of the coarse map can be taken: not of a mask that is holes all over.
+bool is_wide(const Mask& mask) {
+  constexpr int least = 8;
+  if (std::find(mask.begin(), mask.end(), 1) == mask.end()) return false;
+  const PixelBox box = bounding_box(mask);
+  return std::min(box.rows, box.cols) >= least;
 }
 
 double sinc(double x) {
@@ -250,7 +261,8 @@ WavesApart waves_apart(const Grid<float>& map, const Mask& mask, const Extent& e
                    {coarse.mask.rows(), coarse.mask.cols(), coarse.pitch, extent.unit},
                    coarse.mask,
                    map};
-  if (coarse.variance == 0.0 || std::none_of(mixture.humps.begin(), mixture.humps.end(), is_long))
+  if (!is_wide(coarse.mask) || coarse.variance == 0.0 ||
+      std::none_of(mixture.humps.begin(), mixture.humps.end(), is_long))
     return apart;
   const Plane plane(coarse);
   const auto covariance = covariance_of(mixture, plane, coarse.variance);
