@@ -24,6 +24,11 @@ Grid<float> part_of(const SpectralHump& hump, Seed seed) {
   return crop(field, 50, 70, extent.rows, extent.cols);
 }
 
+Grid<float> sum_of(Grid<float> one, const Grid<float>& two) {
+  for (std::size_t i = 0; i < one.size(); ++i) one[i] += two[i];
+  return one;
+}
+
 double mean_square(const Grid<float>& map, const Mask& mask) {
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -46,8 +51,7 @@ TEST(WavesApart, AreThoseThatWereAddedUp) {
   mixture.humps = {longer, shorter};
   mixture.log_floor = mixture.log_fall = -30.0;
   const auto one = part_of(longer, 1), two = part_of(shorter, 2);
-  Grid<float> sum = one;
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += two[i];
+  const auto sum = sum_of(one, two);
   const auto apart = waves_apart(sum, mask, extent, mixture);
   ASSERT_TRUE(apart.of_hump[0] && apart.of_hump[1]);
   // Noise of 2 % of the map is let pass. Of the longer waves' power a thousandth lies where the
@@ -66,8 +70,7 @@ TEST(WavesApart, LeaveShortWavesWhereTheyAre) {
   mixture.humps = {longer, fine};
   mixture.log_floor = mixture.log_fall = -30.0;
   const auto one = part_of(longer, 3), two = part_of(fine, 4);
-  Grid<float> sum = one;
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += two[i];
+  const auto sum = sum_of(one, two);
   const auto mask = full_mask(extent);
   const auto apart = waves_apart(sum, mask, extent, mixture);
   EXPECT_TRUE(apart.of_hump[0]);
