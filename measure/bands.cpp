@@ -25,20 +25,22 @@ struct Centroid {
   std::complex<double> doubled = 0.0;  // mean of exp(2 i direction)
 };
 
-// share  of the power that counts, by frequency
+// share  of the power that counts, at every ordinate of half a plane
 template <class Share>
 Centroid centroid_of(const Spectrum& spectrum, const Share& share) {
   double power = 0.0, frequency = 0.0, squares = 0.0;
   std::complex<double> doubled = 0.0;
+  const int cols = spectrum.power.cols(), half = cols / 2 + 1;
   for (int row = 0; row < spectrum.power.rows(); ++row) {
-    for (int col = 0; col < spectrum.power.cols(); ++col) {
-      const double fx = spectrum.fx(col), fy = spectrum.fy(row), f = std::hypot(fx, fy);
-      if (f == 0.0) continue;
-      const double here = share(fx, fy) * spectrum.power(row, col);
+    for (int col = row == 0 ? 1 : 0; col < half; ++col) {
+      const double times = col == 0 || 2 * col == cols ? 1.0 : 2.0;  // of the whole plane
+      const double here = times * share(row, col) * spectrum.power(row, col);
+      if (!(here > 0.0)) continue;
+      const double fx = spectrum.fx(col), fy = spectrum.fy(row), ff = fx * fx + fy * fy;
       power += here;
-      frequency += here * f;
-      squares += here * f * f;
-      doubled += here * std::polar(1.0, 2.0 * std::atan2(fy, fx));
+      frequency += here * std::sqrt(ff);
+      squares += here * ff;
+      doubled += here * std::complex<double>(fx * fx - fy * fy, 2.0 * fx * fy) / ff;
     }
   }
   const double mean = frequency / power;
@@ -79,23 +81,29 @@ Grid<std::complex<double>> transform_of(const Spectrum& spectrum, const Grid<flo
   return fft(tapered);
 }
 
-// The share of the power that is the hump's at every frequency of half a plane, as an amplitude.
-Grid<float> amplitude_of(const SpectralHump& hump, const HumpMixture& mixture,
-                         const Spectrum& spectrum) {
-  constexpr double faint = 1e-9;  // of the hump's highest density: no more is looked at
-  const double frequency = std::exp(hump.log_frequency);
-  const double highest =
-      hump.density(frequency * std::cos(hump.direction), frequency * std::sin(hump.direction));
-  Grid<float> amplitude(spectrum.power.rows(), spectrum.power.cols() / 2 + 1);
-  for_each_index(amplitude.rows(), [&](int row) {
-    for (int col = row == 0 ? 1 : 0; col < amplitude.cols(); ++col) {
-      const double fx = spectrum.fx(col), fy = spectrum.fy(row);
-      const double density = hump.density(fx, fy);
-      if (density > faint * highest)
-        amplitude(row, col) = float(std::sqrt(density / mixture.density(fx, fy)));
-    }
+// density(fx, fy) at every frequency of half a plane but 0.
+template <class Density>
+Grid<float> half_plane(const Spectrum& spectrum, const Density& density) {
+  Grid<float> values(spectrum.power.rows(), spectrum.power.cols() / 2 + 1);
+  for_each_index(values.rows(), [&](int row) {
+    for (int col = row == 0 ? 1 : 0; col < values.cols(); ++col)
+      values(row, col) = float(density(spectrum.fx(col), spectrum.fy(row)));
   });
-  return amplitude;
+  return values;
+}
+
+Grid<float> densities_of(const HumpMixture& mixture, const Spectrum& spectrum) {
+  return half_plane(spectrum, [&](double fx, double fy) { return mixture.density(fx, fy); });
+}
+
+// The share of the power that is the hump's.
+//
+// densities  of the mixture that it is in
+Grid<float> share_of(const SpectralHump& hump, const Grid<float>& densities,
+                     const Spectrum& spectrum) {
+  auto share = half_plane(spectrum, [&](double fx, double fy) { return hump.density(fx, fy); });
+  for (std::size_t i = 1; i < share.size(); ++i) share[i] /= densities[i];
+  return share;
 }
 
 double root_mean_square(const Grid<float>& values, const Mask& mask) {
@@ -159,6 +167,8 @@ std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const 
   const auto apart = waves_apart(map, mask, extent, mixture);
   const Spectrum inner_rest = inner_spectrum(apart.rest, mask, extent);
   const auto transform = transform_of(spectrum, apart.rest, mask);
+  const auto densities = densities_of(mixture, spectrum);
+  const auto inner_densities = densities_of(mixture, inner_rest);
   Mask trusted(spectrum.taper.rows(), spectrum.taper.cols(), 0);
   for (std::size_t i = 0; i < trusted.size(); ++i) trusted[i] = spectrum.taper[i] >= least_taper;
   double total = 0.0;
@@ -171,15 +181,16 @@ std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const 
     Band band;
     if (const auto& waves = apart.of_hump[k]) {
       auto centroid = centroid_of(inner_spectrum(waves->map, apart.mask, apart.extent),
-                                  [](double, double) { return 1.0; });
+                                  [](int, int) { return 1.0; });
       centroid.frequency *= waves->frequency_ratio;
       band = band_from(centroid, std::sqrt(waves->mean_square), independent);
     } else {
-      const auto filtered =
-          waves_of(transform, amplitude_of(hump, mixture, spectrum), spectrum.taper);
-      const auto centroid = centroid_of(inner_rest, [&](double fx, double fy) {
-        return hump.density(fx, fy) / mixture.density(fx, fy);
-      });
+      auto amplitude = share_of(hump, densities, spectrum);
+      for (float& value : amplitude) value = std::sqrt(value);
+      const auto filtered = waves_of(transform, amplitude, spectrum.taper);
+      const auto share = share_of(hump, inner_densities, inner_rest);
+      const auto centroid =
+          centroid_of(inner_rest, [&](int row, int col) { return double(share(row, col)); });
       band = band_from(centroid, root_mean_square(filtered, trusted), independent);
     }
     if (band.rms * band.rms > options.least_share * total) result.push_back(band);
