@@ -153,7 +153,7 @@ double independent_waves(const SpectralHump& hump, const std::vector<SpectralPat
     sum += patch.count * density;
     squares += patch.count * density * density;
   }
-  return std::max(independence * sum * sum / squares, 1.0);
+  return std::max(1.0, independence * sum * sum / squares);  // 1 also of one beyond all patches
 }
 
 }  // namespace
