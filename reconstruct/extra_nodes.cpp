@@ -59,6 +59,12 @@ void restrict_extras(const PixelLevel& level, const Cells& x, const Cells& right
   });
 }
 
+void gather_extras(const PixelLevel& level, PixelLevel& coarse) {
+  for_extras(level, [&](const auto& extra, std::size_t node, const auto*, const auto*) {
+    coarse.right[std::size_t(extra.parent)] += level.right[node];
+  });
+}
+
 void correct_extras(const PixelLevel& level, const PixelLevel& coarse, Cells& x) {
   for_extras(level, [&](const auto& extra, std::size_t node, const auto*, const auto*) {
     if (level.inverse[node] > 0.0f) x[node] += coarse.value[std::size_t(extra.parent)];

@@ -15,6 +15,9 @@ void relax_extras(const PixelLevel& level, Cells& x, const Cells& right, bool fr
 void restrict_extras(const PixelLevel& level, const Cells& x, const Cells& right,
                      PixelLevel& coarse);
 
+/// The right-hand side of the extra nodes, added to that of their coarser ones.
+void gather_extras(const PixelLevel& level, PixelLevel& coarse);
+
 /// x += the correction of the coarser level, at the extra nodes.
 void correct_extras(const PixelLevel& level, const PixelLevel& coarse, Cells& x);
 

@@ -74,7 +74,8 @@ void add_times(const Dealt& at, double factor, const Cells& x, Cells& total) {
 
 Multigrid::Multigrid(PixelLevel finest) {
   const auto add = [this](PixelLevel level) {
-    level.value = Cells(level.nodes(), level.memory());
+    // That of the finest starts anew with every solution.
+    if (!levels_.empty()) level.value = Cells(level.nodes(), level.memory());
     level.right = Cells(level.nodes(), level.memory());
     levels_.push_back(std::move(level));
     return CoarsestSolver::size_of(levels_.back());
@@ -166,14 +167,25 @@ void Multigrid::cycle(std::size_t index) {
   come_back(index);
 }
 
-// From a value of 0, too: what comes back from the coarser level is a whole full cycle, not one
-// cycle.
-void Multigrid::full_cycle(std::size_t index) {
-  if (index + 1 == levels_.size()) return coarsest_->solve(levels_.back());
-  go_down(index, true);
-  full_cycle(index + 1);
-  go_up_and_down(index);
-  come_back(index);
+// Right-hand sides are added up, level by level, to the coarsest one; what is found there is
+// carried up, with a cycle on every level but the finest. Down there a sweep on the way would cost
+// as much as it saves above.
+void Multigrid::find_first() {
+  for (std::size_t index = 0; index + 1 < levels_.size(); ++index) {
+    const PixelLevel& level = levels_[index];
+    PixelLevel& coarse = levels_[index + 1];
+    clear_extras(coarse, coarse.right);
+    std::vector<Stage> stages;
+    add_gathering(level, coarse, stages);
+    run(index, stages);
+    gather_extras(level, coarse);
+  }
+  coarsest_->solve(levels_.back());
+  for (std::size_t index = levels_.size() - 2; index > 0; --index) {
+    std::fill(levels_[index].value.begin(), levels_[index].value.end(), 0.0f);
+    go_up_and_down(index);
+    come_back(index);
+  }
 }
 
 // Root mean square of what the second level has to correct.
@@ -185,6 +197,7 @@ double Multigrid::coarse_size() const {
 Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const CycleDone& done) {
   PixelLevel& level = levels_.front();
   Solution solution;
+  level.value = Cells(level.nodes(), level.memory());
   if (levels_.size() == 1) {
     coarsest_->solve(level);
     solution.value = level.value;
@@ -192,9 +205,8 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   }
   visited_twice_ = 0;
   const System system = system_of(level);
-  solution.value = Cells(level.value.size(), level.memory());
-  go_down(0, true);
-  full_cycle(1);
+  solution.value = Cells(level.nodes(), level.memory());
+  find_first();
   double last = 0.0;
   double rate = 1.0;
   while (true) {

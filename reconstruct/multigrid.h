@@ -47,7 +47,7 @@ class Multigrid {
 
  private:
   void cycle(std::size_t index);
-  void full_cycle(std::size_t index);
+  void find_first();
   void go_down(std::size_t index, bool from_zero);
   void go_up(std::size_t index);
   void go_up_and_down(std::size_t index);

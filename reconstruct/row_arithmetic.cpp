@@ -10,6 +10,10 @@ HADA_CLONES_AVX512 void subtract(int n, float off, const float* x, float* __rest
   for (int i = 0; i < n; ++i) out[i] = x[i] - off;
 }
 
+HADA_CLONES_AVX512 void add(int n, const float* a, const float* b, float* __restrict sum) {
+  for (int i = 0; i < n; ++i) sum[i] = a[i] + b[i];
+}
+
 HADA_CLONES_AVX512 void add_and_deal(int n, const float* a, const float* b, float* __restrict even,
                                      float* __restrict odd) {
   for (int i = 0; i < n; ++i) {

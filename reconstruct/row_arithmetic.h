@@ -6,6 +6,8 @@
 /// largest values. Compiled for several instruction sets, all of which give the same bytes.
 namespace hada::row_kernels {
 
+/// sum = a + b.
+void add(int n, const float* a, const float* b, float* __restrict sum);
 /// even[i] = a[2 i] + b[2 i], odd[i] = a[2 i + 1] + b[2 i + 1].
 void add_and_deal(int n, const float* a, const float* b, float* __restrict even,
                   float* __restrict odd);

@@ -1,6 +1,7 @@
 #include "reconstruct/smooth.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/parallel.h"
 #include "reconstruct/level_rows.h"
@@ -115,9 +116,11 @@ void residual(const System& s, int row, int colour, float* out) {
   }
 }
 
-void restrict_red(const System& s, int row, PixelLevel& coarse) {
+// right of the coarser level = the sums over blocks of what `sum_row(row, sums, moved)` finds: the
+// part of a row in each, without the cells that moved to an extra node, and what belongs to those.
+template <class SumRow>
+void restrict_rows(const PixelLevel& level, int row, PixelLevel& coarse, const SumRow& sum_row) {
   // Two rows make one row of blocks; the second of them comes with both.
-  const PixelLevel& level = s.level;
   const bool last = row + 1 == level.at.rows;
   if (row % 2 == 0 && !last) return;
   const auto block = std::size_t(level.at.block);
@@ -125,25 +128,44 @@ void restrict_red(const System& s, int row, PixelLevel& coarse) {
   rows.resize(std::max(rows.size(), 2 * block));
   float* const upper = rows.data();
   float* const lower = upper + block;
-  residual(s, row / 2 * 2, red, upper);
+  std::vector<std::pair<PixelLevel::Node, float>> moved;
+  sum_row(row / 2 * 2, upper, moved);
   if (row % 2 == 1) {
-    residual(s, row, red, lower);
+    sum_row(row, lower, moved);
   } else {
     std::fill_n(lower, block, 0.0f);
-  }
-  std::vector<std::pair<PixelLevel::Moved, float>> moved;
-  for (int r = row / 2 * 2; r <= row; ++r) {
-    float* const of_row = r % 2 == 0 ? upper : lower;
-    for_moved(level, r, red, [&](const PixelLevel::Moved& m) {
-      const auto place = std::size_t(m.cell - level.at.start(r, parity_of(r, red)));
-      moved.emplace_back(m, of_row[place]);
-      of_row[place] = 0.0f;
-    });
   }
   row_kernels::add_and_deal(level.at.block / 2, upper, lower,
                             coarse.right.data() + coarse.at.start(row / 2, 0),
                             coarse.right.data() + coarse.at.start(row / 2, 1));
-  for (const auto& [m, rest] : moved) coarse.right[std::size_t(m.parent)] += rest;
+  for (const auto& [parent, rest] : moved) coarse.right[std::size_t(parent)] += rest;
+}
+
+void restrict_red(const System& s, int row, PixelLevel& coarse) {
+  const PixelLevel& level = s.level;
+  restrict_rows(level, row, coarse, [&](int r, float* sums, auto& moved) {
+    residual(s, r, red, sums);
+    for_moved(level, r, red, [&](const PixelLevel::Moved& m) {
+      const auto place = std::size_t(m.cell - level.at.start(r, parity_of(r, red)));
+      moved.emplace_back(m.parent, std::exchange(sums[place], 0.0f));
+    });
+  });
+}
+
+void restrict_right(const PixelLevel& level, int row, PixelLevel& coarse) {
+  restrict_rows(level, row, coarse, [&](int r, float* sums, auto& moved) {
+    const float* const right = level.right.data();
+    row_kernels::add(level.at.block, right + level.at.start(r, 0), right + level.at.start(r, 1),
+                     sums);
+    for (const int colour : {red, black}) {
+      for_moved(level, r, colour, [&](const PixelLevel::Moved& m) {
+        const auto place = std::size_t(m.cell - level.at.start(r, parity_of(r, colour)));
+        const float here = right[std::size_t(m.cell)];
+        moved.emplace_back(m.parent, here);
+        sums[place] -= here;
+      });
+    }
+  });
 }
 
 }  // namespace
@@ -164,6 +186,10 @@ void add_correction(const System& s, const PixelLevel& coarse, std::vector<Stage
 
 void add_restriction(const System& s, PixelLevel& coarse, std::vector<Stage>& stages) {
   stages.push_back({2, [s, &coarse](int row) { restrict_red(s, row, coarse); }});
+}
+
+void add_gathering(const PixelLevel& level, PixelLevel& coarse, std::vector<Stage>& stages) {
+  stages.push_back({0, [&level, &coarse](int row) { restrict_right(level, row, coarse); }});
 }
 
 void add_subtraction(const System& s, std::vector<Stage>& stages) {
