@@ -70,6 +70,13 @@ void add_times(const Dealt& at, double factor, const Cells& x, Cells& total) {
   });
 }
 
+void add_times(const Dealt& at, double factor, const Cells& x, Grid<float>& total) {
+  for_each_index(at.rows, [&](int row) {
+    row_kernels::add_gathered(at.cols, float(factor), x.data() + at.start(row, 0),
+                              x.data() + at.start(row, 1), total.row(row).data());
+  });
+}
+
 }  // namespace
 
 Multigrid::Multigrid(PixelLevel finest) {
@@ -198,14 +205,14 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   PixelLevel& level = levels_.front();
   Solution solution;
   level.value = Cells(level.nodes(), level.memory());
+  solution.value = Grid<float>(level.at.rows, level.at.cols, 0.0f, level.memory());
   if (levels_.size() == 1) {
     coarsest_->solve(level);
-    solution.value = level.value;
+    add_times(level.at, 1.0, level.value, solution.value);
     return solution;
   }
   visited_twice_ = 0;
   const System system = system_of(level);
-  solution.value = Cells(level.nodes(), level.memory());
   find_first();
   double last = 0.0;
   double rate = 1.0;
@@ -216,7 +223,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     const bool first = solution.cycles == 0;
     const bool slowly = solution.cycles > 1 && rate > slow;
     const bool end = (!first && solution.error < tolerance) || solution.cycles == max_cycles;
-    add_settling(system, first ? 1.0f : stretch, magic_, solution.value.data(), stages);
+    add_settling(system, first ? 1.0f : stretch, magic_, solution.value, stages);
     if (!end) add_subtraction(system, stages);
     if (end || slowly) {
       run(0, stages);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/grid.h"
 #include "reconstruct/coarsest.h"
 #include "reconstruct/pixel_level.h"
 #include "reconstruct/wavefront.h"
@@ -38,7 +39,7 @@ class Multigrid {
   float set_step(float step) { return magic_ = 3.0f * 0x1p22f * step; }
 
   struct Solution {
-    Cells value;  // laid out as the finest level, up to a constant in each region
+    Grid<float> value;  // up to a constant in each region; 0 where there are no pixels
     int cycles = 0;
     double error = 0.0;  // estimate, root mean square over the cells with edges
   };

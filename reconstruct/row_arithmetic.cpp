@@ -6,8 +6,8 @@
 
 namespace hada::row_kernels {
 
-HADA_CLONES_AVX512 void subtract(int n, float off, const float* x, float* __restrict out) {
-  for (int i = 0; i < n; ++i) out[i] = x[i] - off;
+HADA_CLONES_AVX512 void subtract(int n, float off, float* __restrict x) {
+  for (int i = 0; i < n; ++i) x[i] -= off;
 }
 
 HADA_CLONES_AVX512 void add(int n, const float* a, const float* b, float* __restrict sum) {
@@ -26,12 +26,8 @@ HADA_CLONES_AVX512 void add_times(int n, float factor, const float* x, float* __
   for (int i = 0; i < n; ++i) total[i] += factor * x[i];
 }
 
-HADA_CLONES_AVX512 void settle(int n, float factor, float magic, float* __restrict x,
-                               float* __restrict total) {
-  for (int i = 0; i < n; ++i) {
-    x[i] = (factor * x[i] + magic) - magic;
-    total[i] += x[i];
-  }
+HADA_CLONES_AVX512 void settle(int n, float factor, float magic, float* __restrict x) {
+  for (int i = 0; i < n; ++i) x[i] = (factor * x[i] + magic) - magic;
 }
 
 HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,
@@ -50,11 +46,14 @@ HADA_CLONES_AVX512 void deal(int n, const std::uint8_t* row, std::uint8_t* __res
   }
 }
 
-HADA_CLONES_AVX512 void gather(int n, const float* even, const float* odd, float* __restrict row) {
-  for (int i = 0; i < n; ++i) {
-    row[2 * i] = even[i];
-    row[2 * i + 1] = odd[i];
+HADA_CLONES_AVX512 void add_gathered(int n, float factor, const float* even, const float* odd,
+                                     float* __restrict row) {
+  const int pairs = n / 2;
+  for (int i = 0; i < pairs; ++i) {
+    row[2 * i] += factor * even[i];
+    row[2 * i + 1] += factor * odd[i];
   }
+  if (n % 2 == 1) row[n - 1] += factor * even[pairs];
 }
 
 HADA_CLONES_AVX512 float largest(int n, const float* x) {

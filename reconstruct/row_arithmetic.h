@@ -13,21 +13,19 @@ void add_and_deal(int n, const float* a, const float* b, float* __restrict even,
                   float* __restrict odd);
 /// total += factor x.
 void add_times(int n, float factor, const float* x, float* __restrict total);
-/// out = x - off.
-void subtract(int n, float off, const float* x, float* __restrict out);
+/// x -= off.
+void subtract(int n, float off, float* __restrict x);
 /// even[i] = row[2 i], odd[i] = row[2 i + 1].
 void deal(int n, const float* row, float* __restrict even, float* __restrict odd);
 void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
           std::uint8_t* __restrict odd);
-
-/// row[2 i] = even[i], row[2 i + 1] = odd[i].
-void gather(int n, const float* even, const float* odd, float* __restrict row);
+/// row[2 i] += factor even[i], row[2 i + 1] += factor odd[i]; n values of a row.
+void add_gathered(int n, float factor, const float* even, const float* odd, float* __restrict row);
 
 /// The largest |x|.
 float largest(int n, const float* x);
-/// x = (factor x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22), and total +=
-/// x.
-void settle(int n, float factor, float magic, float* __restrict x, float* __restrict total);
+/// x = (factor x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
+void settle(int n, float factor, float magic, float* __restrict x);
 
 double sum(int n, const float* x);
 double dot(int n, const float* x, const float* y);

@@ -64,42 +64,29 @@ void SlopeSolver::set_right(const SlopeMap& slopes) {
   });
 }
 
-// Laid out as a grid, without the mean of every region.
-Grid<float> SlopeSolver::levelled(const Cells& value) const {
-  const Dealt& at = multigrid_->finest().at;
-  const auto gather = [&](int row, float* whole) {
-    row_kernels::gather(at.block, value.data() + at.start(row, 0), value.data() + at.start(row, 1),
-                        whole);
-  };
+void SlopeSolver::take_means_off(Grid<float>& height) const {
   std::vector<double> sums(regions_.runs.size());
-  for_slices(at.rows, [&](int begin, int end) {
-    std::vector<float> whole(std::size_t(at.stride()));
-    for (int row = begin; row < end; ++row) {
-      gather(row, whole.data());
-      for (std::size_t run = regions_.starts[std::size_t(row)];
-           run < regions_.starts[std::size_t(row) + 1]; ++run) {
+  // work(run, how many pixels, the first of them)
+  const auto for_runs = [&](const auto& work) {
+    for_each_index(height.rows(), [&](int row) {
+      const std::size_t end = regions_.starts[std::size_t(row) + 1];
+      for (std::size_t run = regions_.starts[std::size_t(row)]; run < end; ++run) {
         const auto [first, last, region] = regions_.runs[run];
-        sums[run] = row_kernels::sum(last - first, whole.data() + first);
+        work(run, last - first, height.row(row).data() + first);
       }
-    }
+    });
+  };
+  for_runs([&](std::size_t run, int count, const float* pixels) {
+    sums[run] = row_kernels::sum(count, pixels);
   });
   std::vector<double> mean(regions_.size.size(), 0.0);
   for (std::size_t run = 0; run < sums.size(); ++run) {
     const auto region = std::size_t(regions_.runs[run].region);
     mean[region] += sums[run] / regions_.size[region];
   }
-  Grid<float> height(at.rows, at.cols, 0.0f, mask_.memory());
-  for_slices(at.rows, [&](int begin, int end) {
-    std::vector<float> whole(std::size_t(at.stride()));
-    for (int row = begin; row < end; ++row) {
-      gather(row, whole.data());
-      for (const auto [first, last, region] : regions_.row(row)) {
-        row_kernels::subtract(last - first, float(mean[std::size_t(region)]), whole.data() + first,
-                              height.row(row).data() + first);
-      }
-    }
+  for_runs([&](std::size_t run, int count, float* pixels) {
+    row_kernels::subtract(count, float(mean[std::size_t(regions_.runs[run].region)]), pixels);
   });
-  return height;
 }
 
 Grid<float> SlopeSolver::levelled(const Grid<double>& value) const {
@@ -136,9 +123,10 @@ Grid<float> SlopeSolver::height(const SlopeMap& slopes, double tolerance, int ma
   cycles_ = 0;
   if (weighted_) return height(rises_of(slopes, mask_), tolerance, max_cycles, done);
   set_right(slopes);
-  const Multigrid::Solution solution = multigrid_->solve(tolerance, max_cycles, done);
+  Multigrid::Solution solution = multigrid_->solve(tolerance, max_cycles, done);
   cycles_ = solution.cycles;
-  return levelled(solution.value);
+  take_means_off(solution.value);
+  return std::move(solution.value);
 }
 
 }  // namespace hada

@@ -37,7 +37,7 @@ class SlopeSolver {
 
  private:
   void set_right(const SlopeMap& slopes);
-  Grid<float> levelled(const Cells& value) const;
+  void take_means_off(Grid<float>& height) const;
   Grid<float> levelled(const Grid<double>& value) const;
 
   const Mask& mask_;

@@ -210,12 +210,14 @@ void add_subtraction(const System& s, std::vector<Stage>& stages) {
                     }});
 }
 
-void add_settling(const System& s, float factor, float magic, float* total,
+void add_settling(const System& s, float factor, float magic, Grid<float>& total,
                   std::vector<Stage>& stages) {
-  stages.push_back({1, [=](int row) {
-                      const auto first = s.level.at.start(row, 0);
-                      row_kernels::settle(int(s.level.at.stride()), factor, magic, s.x + first,
-                                          total + first);
+  stages.push_back({1, [=, &total](int row) {
+                      const Dealt& at = s.level.at;
+                      float* const even = s.x + at.start(row, 0);
+                      row_kernels::settle(int(at.stride()), factor, magic, even);
+                      row_kernels::add_gathered(at.cols, 1.0f, even, s.x + at.start(row, 1),
+                                                total.row(row).data());
                     }});
 }
 

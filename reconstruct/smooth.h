@@ -38,8 +38,9 @@ void add_restriction(const System& system, PixelLevel& coarse, std::vector<Stage
 /// right of the coarser level = right, added up over blocks: the residual where x is 0.
 void add_gathering(const PixelLevel& level, PixelLevel& coarse, std::vector<Stage>& stages);
 
-/// x = factor x, rounded to a multiple of magic / (3 * 2^22), and total += x, at all cells.
-void add_settling(const System& system, float factor, float magic, float* total,
+/// x = factor x, rounded to a multiple of magic / (3 * 2^22), and total += x, at all cells; `total`
+/// is no longer dealt.
+void add_settling(const System& system, float factor, float magic, Grid<float>& total,
                   std::vector<Stage>& stages);
 
 /// right -= A x, at all cells.

@@ -1,6 +1,5 @@
 #include "reconstruct/row_arithmetic.h"
 
-#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -8,24 +7,36 @@
 namespace hada {
 namespace {
 
-TEST(RowArithmetic, SettleToMultiplesThatAreAddedUp) {
-  std::vector<float> x{0.15f, -0.15f, 0.062f, 0.063f}, total{1.0f, 2.0f, 3.0f, 4.0f};
-  row_kernels::settle(4, 2.0f, 3.0f * 0x1p22f * 0.25f, x.data(), total.data());
+TEST(RowArithmetic, SettleToMultiples) {
+  std::vector<float> x{0.15f, -0.15f, 0.062f, 0.063f};
+  row_kernels::settle(4, 2.0f, 3.0f * 0x1p22f * 0.25f, x.data());
   EXPECT_EQ(x, (std::vector<float>{0.25f, -0.25f, 0.0f, 0.25f}));
-  EXPECT_EQ(total, (std::vector<float>{1.25f, 1.75f, 3.0f, 4.25f}));
 }
 
-TEST(RowArithmetic, DealAndGatherAreInverse) {
+TEST(RowArithmetic, WhatWasDealtIsGathered) {
+  for (const int size : {33, 34}) {
+    std::vector<float> row(34, 0.0f);
+    for (int i = 0; i < size; ++i) row[std::size_t(i)] = float(i);
+    std::vector<float> even(17), odd(17), again(34, 1.0f);
+    row_kernels::deal(17, row.data(), even.data(), odd.data());
+    EXPECT_EQ(even[3], 6.0f);
+    EXPECT_EQ(odd[3], 7.0f);
+    row_kernels::add_gathered(size, 2.0f, even.data(), odd.data(), again.data());
+    for (int i = 0; i < 34; ++i) {
+      EXPECT_EQ(again[std::size_t(i)], i < size ? float(1 + 2 * i) : 1.0f);
+    }
+  }
+}
+
+TEST(RowArithmetic, AddsUpWholeRows) {
   std::vector<float> row(34);
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = float(i);
-  std::vector<float> even(17), odd(17), again(34);
-  row_kernels::deal(17, row.data(), even.data(), odd.data());
-  EXPECT_EQ(even[3], 6.0f);
-  EXPECT_EQ(odd[3], 7.0f);
-  row_kernels::gather(17, even.data(), odd.data(), again.data());
-  EXPECT_EQ(again, row);
   EXPECT_EQ(row_kernels::sum(34, row.data()), 33.0 * 34.0 / 2.0);
-  EXPECT_EQ(row_kernels::dot(17, even.data(), even.data()), 4.0 * 16.0 * 17.0 * 33.0 / 6.0);
+  EXPECT_EQ(row_kernels::dot(34, row.data(), row.data()), 33.0 * 34.0 * 67.0 / 6.0);
+  std::vector<float> twice(34);
+  row_kernels::add(34, row.data(), row.data(), twice.data());
+  row_kernels::subtract(34, 1.0f, twice.data());
+  EXPECT_EQ(twice[33], 65.0f);
 }
 
 TEST(RowArithmetic, FindTheLargestOfEitherSign) {

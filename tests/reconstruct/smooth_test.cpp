@@ -61,15 +61,43 @@ TEST(Smooth, FromZeroIsASweepOfZeros) {
 
 TEST(Smooth, SettlesAllCellsAndAddsThemUp) {
   PixelLevel level = some_level();
-  Cells x = level.right, total = level.right;
+  Cells x = level.right;
+  Grid<float> total(6, 7, 5.0f);
   std::vector<Stage> stages;
-  add_settling({level, x.data(), nullptr}, 1.5f, 3.0f * 0x1p22f, total.data(), stages);
+  add_settling({level, x.data(), nullptr}, 1.5f, 3.0f * 0x1p22f, total, stages);
   run(level, stages);
   for (int row = 0; row < 6; ++row) {
     for (int col = 0; col < 7; ++col) {
       const auto cell = std::size_t(level.at.cell(row, col));
       EXPECT_EQ(x[cell], std::nearbyint(1.5f * level.right[cell]));
-      EXPECT_EQ(total[cell], level.right[cell] + x[cell]);
+      EXPECT_EQ(total(row, col), 5.0f + x[cell]);
+    }
+  }
+}
+
+TEST(Smooth, GathersTheRightHandSideOfBlocks) {
+  PixelLevel level = some_level();
+  // One cell belongs to an extra node, its block keeps the rest.
+  const auto cell = PixelLevel::Node(level.at.cell(2, 3));
+  PixelLevel coarse;
+  coarse.at = Dealt(3, 4);
+  const auto extra = PixelLevel::Node(coarse.at.size());
+  coarse.right.assign(coarse.at.size() + 1, 0.0f);
+  level.moved.push_back({2, cell, extra});
+  std::vector<Stage> stages;
+  add_gathering(level, coarse, stages);
+  run(level, stages);
+  Grid<float> expected(3, 4);
+  for (int row = 0; row < 6; ++row) {
+    for (int col = 0; col < 7; ++col) {
+      expected(row / 2, col / 2) += level.right[std::size_t(level.at.cell(row, col))];
+    }
+  }
+  EXPECT_EQ(coarse.right[std::size_t(extra)], level.right[std::size_t(cell)]);
+  expected(1, 1) -= level.right[std::size_t(cell)];
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 4; ++col) {
+      EXPECT_EQ(coarse.right[std::size_t(coarse.at.cell(row, col))], expected(row, col));
     }
   }
 }
