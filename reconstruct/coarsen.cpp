@@ -10,6 +10,7 @@
 #include "reconstruct/level_rows.h"
 #include "reconstruct/row_arithmetic.h"
 #include "reconstruct/split_blocks.h"
+#include "reconstruct/wavefront.h"
 
 namespace hada {
 namespace {
@@ -66,6 +67,36 @@ struct JoinedRow {
   }
 };
 
+// From sums of edges inside blocks and across to what the levels keep; extra nodes left aside.
+void weigh_edges(PixelLevel& coarse) {
+  const Dealt& at = coarse.at;
+  float* const across = coarse.reach_across.data();
+  float* const along = coarse.reach_along.data();
+  const auto to_reach = [=](int row) {
+    coarsen_kernels::to_reach(int(at.stride()), across + at.start(row, 0));
+    coarsen_kernels::to_reach(int(at.stride()), along + at.start(row, 0));
+  };
+  const auto put_in_series = [=, &coarse](int row) {
+    for (const int parity : {0, 1}) {
+      const auto here = at.start(row, parity);
+      coarsen_kernels::in_series(at.block, coarse.east.data() + here, across + here,
+                                 across + at.start(row, 1 - parity) + parity);
+      coarsen_kernels::in_series(at.block, coarse.south.data() + here, along + here,
+                                 along + at.start(row + 1, parity));
+    }
+  };
+  const auto add_up = [=, &coarse](int row) {
+    for (const int parity : {0, 1}) {
+      const auto here = at.start(row, parity);
+      const auto weights = weights_around(coarse, row, parity);
+      coarsen_kernels::invert(at.block, coarse.inverse.data() + here, weights);
+      coarsen_kernels::find_even(at.block, weights, across + here, along + here,
+                                 coarse.inverse.data() + here, coarse.even.data() + here);
+    }
+  };
+  run_wavefront(at.rows, at.size(), {{0, to_reach}, {1, put_in_series}, {1, add_up}});
+}
+
 }  // namespace
 
 PixelLevel coarsened(PixelLevel& fine, float least_strength) {
@@ -86,39 +117,10 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
     }
   });
   split_blocks(fine, std::move(split_cols), least_strength, coarse);
-  for_each_index(at.rows, [&](int row) {
-    coarsen_kernels::to_reach(int(at.stride()), coarse.reach_across.data() + at.start(row, 0));
-    coarsen_kernels::to_reach(int(at.stride()), coarse.reach_along.data() + at.start(row, 0));
-  });
-  for_each_index(at.rows, [&](int row) {
-    const float* const across = coarse.reach_across.data();
-    const float* const along = coarse.reach_along.data();
-    for (const int parity : {0, 1}) {
-      const auto here = at.start(row, parity);
-      coarsen_kernels::in_series(at.block, coarse.east.data() + here, across + here,
-                                 across + at.start(row, 1 - parity) + parity);
-      coarsen_kernels::in_series(at.block, coarse.south.data() + here, along + here,
-                                 along + at.start(row + 1, parity));
-    }
-  });
   coarse.inverse = Cells(coarse.nodes(), coarse.memory());
-  for_each_index(at.rows, [&](int row) {
-    for (const int parity : {0, 1}) {
-      coarsen_kernels::invert(at.block, coarse.inverse.data() + at.start(row, parity),
-                              weights_around(coarse, row, parity));
-    }
-  });
-  add_extra_edges(coarse);
   coarse.even = decltype(coarse.even)(at.size(), coarse.memory());
-  for_each_index(at.rows, [&](int row) {
-    for (const int parity : {0, 1}) {
-      const auto here = at.start(row, parity);
-      coarsen_kernels::find_even(at.block, weights_around(coarse, row, parity),
-                                 coarse.reach_across.data() + here,
-                                 coarse.reach_along.data() + here, coarse.inverse.data() + here,
-                                 coarse.even.data() + here);
-    }
-  });
+  weigh_edges(coarse);
+  add_extra_edges(coarse);
   return coarse;
 }
 

@@ -1,6 +1,6 @@
 #include "reconstruct/coarsest.h"
 
-#include <algorithm>
+#include "reconstruct/row_arithmetic.h"
 
 namespace hada {
 namespace {
@@ -41,8 +41,7 @@ void for_edges(const PixelLevel& level, const Work& work) {
 
 std::size_t CoarsestSolver::size_of(const PixelLevel& level) {
   const auto count = [](const auto& values) {
-    return std::size_t(
-        std::count_if(values.begin(), values.end(), [](auto value) { return value > 0; }));
+    return row_kernels::count_positive(values.size(), values.data());
   };
   return level.unit() ? count(level.code) : count(level.inverse);
 }

@@ -56,7 +56,12 @@ void add_extra_edges(PixelLevel& coarse) {
       *reach = *reach > 0.0f ? 0.5f / *reach : 0.0f;
     }
   }
-  Cells added(coarse.extras.empty() ? 0 : coarse.nodes(), 0.0f, coarse.memory());
+  const auto count = [&](std::size_t node, float weight) {
+    if (weight == 0.0f) return;
+    float& inverse = coarse.inverse[node];
+    inverse = inverse > 0.0f ? inverse / (1.0f + weight * inverse) : 1.0f / weight;
+    if (node < coarse.even.size()) coarse.even[node] = 0;
+  };
   for (std::size_t i = 0; i < coarse.extras.size(); ++i) {
     const auto& extra = coarse.extras[i];
     const auto node = PixelLevel::Node(coarse.at.size() + i);
@@ -74,14 +79,9 @@ void add_extra_edges(PixelLevel& coarse) {
       edge.weight /= 1.0f + edge.weight * (way == Way::across  ? across
                                            : way == Way::along ? along
                                                                : std::min(across, along));
-      added[std::size_t(node)] += edge.weight;
-      if (!to_extra) added[other] += edge.weight;
+      count(std::size_t(node), edge.weight);
+      if (!to_extra) count(other, edge.weight);
     }
-  }
-  for (std::size_t node = 0; node < added.size(); ++node) {
-    if (added[node] == 0.0f) continue;
-    float& inverse = coarse.inverse[node];
-    inverse = 1.0f / (added[node] + (inverse > 0.0f ? 1.0f / inverse : 0.0f));
   }
 }
 

@@ -29,7 +29,8 @@ struct EdgeSum {
 /// Lists every sum at the extra nodes that it has.
 void list_extra_edges(std::vector<EdgeSum> sums, PixelLevel& coarse);
 
-/// Turns the sums of the edges of extra nodes into edges in series, and counts them in `inverse`.
+/// Turns the sums of the edges of extra nodes into edges in series, and counts them in `inverse`;
+/// cells with such an edge are no longer even.
 void add_extra_edges(PixelLevel& coarse);
 
 }  // namespace hada

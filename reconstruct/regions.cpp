@@ -1,6 +1,7 @@
 #include "reconstruct/regions.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace hada {
 namespace {
@@ -22,6 +23,20 @@ class Links {
   std::vector<std::size_t> earlier_;
 };
 
+// The first column from `col` on that is in the mask; the number of columns if none is.
+int first_pixel(std::span<const std::uint8_t> pixels, int col) {
+  const auto begin = pixels.begin() + col;
+  return col +
+         int(std::find_if(begin, pixels.end(), [](std::uint8_t p) { return p != 0; }) - begin);
+}
+
+// The same for one that is not.
+int first_hole(std::span<const std::uint8_t> pixels, int col) {
+  const auto* const begin = pixels.data() + col;
+  const void* const hole = std::memchr(begin, 0, pixels.size() - std::size_t(col));
+  return hole ? col + int(static_cast<const std::uint8_t*>(hole) - begin) : int(pixels.size());
+}
+
 }  // namespace
 
 Regions regions_of(const Mask& mask) {
@@ -31,10 +46,10 @@ Regions regions_of(const Mask& mask) {
   for (int row = 0; row < mask.rows(); ++row) {
     const auto pixels = mask.row(row);
     const std::size_t begin = regions.runs.size();
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!pixels[std::size_t(col)]) continue;
-      const int first = col;
-      while (col < mask.cols() && pixels[std::size_t(col)]) ++col;
+    for (int col = 0; col < mask.cols();) {
+      const int first = first_pixel(pixels, col);
+      if (first == mask.cols()) break;
+      col = first_hole(pixels, first);
       regions.runs.push_back({first, col, 0});
       links.add();
     }

@@ -67,6 +67,30 @@ HADA_CLONES_AVX512 float largest(int n, const float* x) {
   return std::bit_cast<float>(most);
 }
 
+HADA_CLONES_AVX512 std::size_t count_positive(std::size_t n, const std::uint8_t* x) {
+  // In bytes, as many at a time as cannot overflow one.
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < n; first += 32 * 255) {
+    constexpr int lanes = 32;
+    std::uint8_t part[lanes] = {};
+    const std::size_t end = n - first < lanes * 255 ? n : first + lanes * 255;
+    std::size_t i = first;
+    for (; i + lanes <= end; i += lanes) {
+      for (int lane = 0; lane < lanes; ++lane)
+        part[lane] = std::uint8_t(part[lane] + (x[i + lane] > 0));
+    }
+    for (; i < end; ++i) count += x[i] > 0;
+    for (const std::uint8_t p : part) count += p;
+  }
+  return count;
+}
+
+HADA_CLONES_AVX512 std::size_t count_positive(std::size_t n, const float* x) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; ++i) count += x[i] > 0.0f;
+  return count;
+}
+
 HADA_CLONES_AVX512 double sum(int n, const float* x) {
   // Lanes whose order of adding does not depend on the width of the vectors.
   constexpr int lanes = 8;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 /// What the rows of the multigrid solver need beside its equations: sums, copies in another order,
@@ -26,7 +27,9 @@ void add_gathered(int n, float factor, const float* even, const float* odd, floa
 float largest(int n, const float* x);
 /// x = (factor x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
 void settle(int n, float factor, float magic, float* __restrict x);
-
+/// How many are above 0.
+std::size_t count_positive(std::size_t n, const std::uint8_t* x);
+std::size_t count_positive(std::size_t n, const float* x);
 double sum(int n, const float* x);
 double dot(int n, const float* x, const float* y);
 
