@@ -10,6 +10,21 @@
 #include "reconstruct/row_arithmetic.h"
 
 namespace hada {
+namespace {
+
+constexpr int rows_asked = 16;  // every one of so many for a first idea of the largest slope
+
+// Four rises as multiples of this step add up without any rounding, and so do those of a height:
+// what a long, narrow mask makes of the rounding of sums could be seen in the height.
+float step_of(float largest_slope) {
+  return std::exp2(std::ceil(std::log2(std::max(largest_slope, 0x1p-20f)))) * 0x1p-21f;
+}
+
+float largest_slope(const SlopeMap& slopes, int row) {
+  return row_kernels::largest(2 * slopes.cols(), slopes.row(row).data()->data());
+}
+
+}  // namespace
 
 SlopeSolver::SlopeSolver(const Mask& mask, std::optional<EdgeWeights> weights)
     : mask_(mask), regions_(regions_of(mask)) {
@@ -22,19 +37,22 @@ SlopeSolver::SlopeSolver(const Mask& mask, std::optional<EdgeWeights> weights)
 
 // A^T b: what the slopes along the edges ask of every pixel.
 void SlopeSolver::set_right(const SlopeMap& slopes) {
+  float most = 0.0f;
+  for (int row = 0; row < slopes.rows(); row += rows_asked) {
+    most = std::max(most, largest_slope(slopes, row));
+  }
+  // The step is nearly always the right one, and the slopes are read once.
+  const float step = step_of(most);
+  most = set_right(slopes, step);
+  if (step_of(most) > step) set_right(slopes, step_of(most));
+}
+
+// Returns the largest slope.
+float SlopeSolver::set_right(const SlopeMap& slopes, float step) {
   const Dealt& at = multigrid_->finest().at;
   const int cols = at.cols;
   const auto slopes_in = [&](int row) { return slopes.row(row).data()->data(); };
   std::vector<float> most(std::size_t(at.rows));
-  for_each_index(at.rows, [&](int row) {
-    most[std::size_t(row)] = row_kernels::largest(2 * cols, slopes_in(row));
-  });
-  // Four rises as multiples of this step add up without any rounding, and so do those of a height:
-  // what a long, narrow mask makes of the rounding of sums could be seen in the height.
-  const float step =
-      std::exp2(
-          std::ceil(std::log2(std::max(*std::max_element(most.begin(), most.end()), 0x1p-20f)))) *
-      0x1p-21f;
   const float magic = multigrid_->set_step(step);
   for_slices(at.rows, [&](int begin, int end) {
     // One empty place before the first pixel, and some after the last: rows come in pairs of
@@ -53,6 +71,7 @@ void SlopeSolver::set_right(const SlopeMap& slopes) {
     };
     fill_below(begin - 1);
     for (int row = begin; row < end; ++row) {
+      most[std::size_t(row)] = largest_slope(slopes, row);
       std::swap(above, below);
       fill_below(row);
       rise_kernels::rise_across(cols - 1, slopes_in(row), mask_.row(row).data(), magic,
@@ -62,6 +81,7 @@ void SlopeSolver::set_right(const SlopeMap& slopes) {
       row_kernels::deal(at.block, sum.data(), right + at.start(row, 0), right + at.start(row, 1));
     }
   });
+  return *std::max_element(most.begin(), most.end());
 }
 
 void SlopeSolver::take_means_off(Grid<float>& height) const {

@@ -37,6 +37,7 @@ class SlopeSolver {
 
  private:
   void set_right(const SlopeMap& slopes);
+  float set_right(const SlopeMap& slopes, float step);
   void take_means_off(Grid<float>& height) const;
   Grid<float> levelled(const Grid<double>& value) const;
 
