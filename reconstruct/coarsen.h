@@ -13,8 +13,7 @@ namespace hada {
 /// it falls as slowly as the conductance of a constriction does.
 ///
 /// least_strength  a part hangs together by edges that are at least this share of all edges at both
-/// of
-///                 their ends; in an even lattice each has 0.25
+///                 of their ends; in an even lattice each has 0.25
 /// `fine` learns which of its cells moved to an extra node.
 /// Source: the series rule after R. E. Alcouffe et al., SIAM J. Sci. Stat. Comput. 2 (1981).
 PixelLevel coarsened(PixelLevel& fine, float least_strength);
