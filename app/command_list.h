@@ -89,6 +89,30 @@ CLI::Option* add_out(CLI::App& command, Arguments& a, const std::string& words) 
   return command.add_option("-o,--out", a.out, words);
 }
 
+inline constexpr const char* input_words = "surface folder, height map or picture";
+
+template <class Arguments>
+void add_capture(CLI::App& command, Arguments& a) {
+  command.add_option("capture", a.capture, "folder of pictures, one light each")->required();
+}
+
+template <class Arguments>
+void add_pitch(CLI::App& command, Arguments& a) {
+  command.add_option("--pitch", a.pitch_mm, "distance between pixels, mm")
+      ->check(positive())
+      ->type_name("MM");
+}
+
+template <class Arguments>
+void add_lights(CLI::App& command, Arguments& a) {
+  command.add_option("--lights", a.lights,
+                     "lights file (.json or .lp) to use instead of the spheres");
+}
+
+/// Declares the commands from photographs to numbers: calibrate, reconstruct, integrate, measure,
+/// classify, compare.
+void add_measuring(Commands& commands);
+
 /// Declares `hada fold` and what it can do.
 void add_folding(Commands& commands);
 

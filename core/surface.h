@@ -26,7 +26,9 @@ struct Surface {
   Image albedo;              // linear, one or three planes
   Grid<float> normal_sigma;  // standard deviation of the normal, radians along each tangent axis
   Grid<float> height_sigma;  // standard deviation of the height, in extent.unit
-  std::string levelling = "offset";  // what was removed from the height: offset, plane or quadratic
+  std::string levelling = "offset";  // what was removed from the height: offset, plane, quadratic;
+                                     // or prior: what its long waves were taken from
+  double levelling_cutoff = 0.0;     // of a prior: the wavelength from which on, in extent.unit
   Eigen::Vector2i offset_px{0, 0};   // (u, v) of the first pixel in the pictures this was made from
 
   bool has_height() const { return !height.empty(); }

@@ -15,9 +15,9 @@ constexpr int fewest_pixels = 32;   // along each side: fewer hold too few ordin
 constexpr double safe_reach = 0.6;  // share of Nyquist up to which aliases of anything are small
 
 /// Taking off the mean empties frequency 0 alone. A plane takes 6 / pi^2 of the power one step away
-/// with it; a quadratic nearly all of that, and some of it two steps away.
+/// with it; a quadratic nearly all of that, and some of it two steps away. A prior takes nothing.
 double steps_emptied_by(const std::string& levelling) {
-  if (levelling == "offset") return 0.5;
+  if (levelling == "offset" || levelling == "prior") return 0.5;
   return levelling == "plane" ? 1.5 : 2.5;
 }
 

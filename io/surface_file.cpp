@@ -137,6 +137,10 @@ std::set<std::string> read_description(const fs::path& path, Surface& surface) {
   if (unit != "mm" && unit != "px") object.fail("unit", "must be mm or px");
   surface.extent.unit = unit == "mm" ? Unit::mm : Unit::px;
   surface.levelling = object.text("levelling");
+  if (object.has("levelling_cutoff")) {
+    surface.levelling_cutoff = object.number("levelling_cutoff");
+    if (!(surface.levelling_cutoff > 0.0)) object.fail("levelling_cutoff", "must be larger than 0");
+  }
   const auto offset = object.numbers("offset_px", 2);
   surface.offset_px = {int(offset[0]), int(offset[1])};
   object.has("notes");
@@ -251,6 +255,7 @@ void write_surface(Output& output, const std::string& folder, const Surface& sur
                {"levelling", surface.levelling},
                {"offset_px", Json::array({surface.offset_px.x(), surface.offset_px.y()})},
                {"maps", std::move(maps)}};
+  if (surface.levelling_cutoff > 0.0) json["levelling_cutoff"] = surface.levelling_cutoff;
   if (!notes_json.empty()) json["notes"] = Json::parse(notes_json);
   const fs::path description = output.file(folder + "surface.json");
   std::ofstream stream(description, std::ios::binary);

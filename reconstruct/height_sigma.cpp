@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,16 +39,19 @@ Eigen::Matrix2d slope_covariance(const Eigen::Vector3f& normal, double sigma) {
 
 // Slope errors on a lattice of square cells of `factor` pixels.
 struct Lattice {
-  Mask mask;                         // cells with at least one pixel
-  Grid<float> pixels;                // of a cell, that are inside the mask
-  Grid<Eigen::Matrix2f> root;        // Cholesky factor of the covariance of the mean slope
-  Grid<float> variance_left_out_px;  // of the height, in octaves finer than the lattice, px^2
+  Mask mask;                          // cells with at least one pixel
+  Grid<float> pixels;                 // of a cell, that are inside the mask
+  Grid<Eigen::Matrix2f> root;         // Cholesky factor of the covariance of the mean slope
+  Grid<float> variance_left_out_px;   // of the height, in octaves finer than the lattice, px^2
+  std::optional<PriorHeights> prior;  // of errors: 0 where the height is known
 
-  Lattice(const NormalMap& normals, const Grid<float>& normal_sigma, const Mask& inside, int factor)
+  Lattice(const NormalMap& normals, const Grid<float>& normal_sigma, const Mask& inside, int factor,
+          const PriorHeights* known)
       : mask((inside.rows() + factor - 1) / factor, (inside.cols() + factor - 1) / factor, 0),
         pixels(mask.rows(), mask.cols()),
         root(mask.rows(), mask.cols(), Eigen::Matrix2f::Zero()),
         variance_left_out_px(mask.rows(), mask.cols()) {
+    if (known) prior = known->zeros_of_cells(factor);
     for_each_index(mask.rows(), [&](int row) {
       for (int col = 0; col < mask.cols(); ++col) {
         Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
@@ -128,23 +132,28 @@ SlopeMap means(const SlopeMap& slopes, const Lattice& lattice, const Lattice& co
 class DrawnHeights {
  public:
   DrawnHeights(const Lattice& lattice, Levelling levelling)
-      : mask_(lattice.mask), levelling_(levelling), solver_(lattice.mask) {
+      : lattice_(lattice), levelling_(levelling), solver_(lattice.mask) {
     // A hundredth of the slope errors: heights err by more than they do.
     double squares = 0.0;
     for (const auto& root : lattice.root) squares += double(root.squaredNorm());
-    const double cells = double(std::count(mask_.begin(), mask_.end(), std::uint8_t(1)));
+    const double cells =
+        double(std::count(lattice.mask.begin(), lattice.mask.end(), std::uint8_t(1)));
     tolerance_ = 0.01 * std::sqrt(0.5 * squares / std::max(cells, 1.0));
   }
 
   Grid<float> squares(const SlopeMap& slopes) {
     Grid<float> error = solver_.height(slopes, tolerance_, 100);
-    level(error, mask_, levelling_);
+    if (lattice_.prior) {
+      level(error, lattice_.mask, *lattice_.prior);
+    } else {
+      level(error, lattice_.mask, levelling_);
+    }
     for (float& value : error) value *= value;
     return error;
   }
 
  private:
-  const Mask& mask_;
+  const Lattice& lattice_;
   Levelling levelling_;
   SlopeSolver solver_;
   double tolerance_ = 0.0;
@@ -217,14 +226,15 @@ Grid<float> drawn_variance(const Lattice& lattice, const Lattice& coarse, Levell
 }  // namespace
 
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,
-                         const Mask& mask, double pitch, Levelling levelling) {
+                         const Mask& mask, double pitch, Levelling levelling,
+                         const PriorHeights* prior) {
   int factor = 1;
   const auto pixels =
       double(std::count_if(mask.begin(), mask.end(), [](auto inside) { return inside != 0; }));
   while (pixels / (double(factor) * factor) > most_cells) factor *= 2;
-  const Lattice lattice(normals, normal_sigma, mask, factor);
+  const Lattice lattice(normals, normal_sigma, mask, factor, prior);
 
-  const Lattice coarse(normals, normal_sigma, mask, coarse_factor * factor);
+  const Lattice coarse(normals, normal_sigma, mask, coarse_factor * factor, prior);
   const Grid<float> variance = drawn_variance(lattice, coarse, levelling);
 
   Grid<float> sigma(mask.rows(), mask.cols());

@@ -3,6 +3,7 @@
 #include "core/grid.h"
 #include "core/surface.h"
 #include "reconstruct/level.h"
+#include "reconstruct/prior_heights.h"
 
 namespace hada {
 
@@ -19,9 +20,11 @@ namespace hada {
 ///
 /// An error that all pixels share (a light that is off) bends the whole sheet and is not in here.
 ///
+/// prior         for that levelling, else null; its own heights are taken for exact
 /// normal_sigma  radians along each tangent axis
 /// returns       in the unit of `pitch`; 0 outside the mask
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,
-                         const Mask& mask, double pitch, Levelling levelling);
+                         const Mask& mask, double pitch, Levelling levelling,
+                         const PriorHeights* prior = nullptr);
 
 }  // namespace hada

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,14 @@
 #include "core/surface.h"
 #include "reconstruct/level.h"
 #include "reconstruct/normals.h"
+#include "reconstruct/prior_heights.h"
 
 namespace hada {
 
 struct ReconstructOptions {
-  Levelling levelling = Levelling::plane;
+  Levelling levelling = Levelling::plane;    // `prior` where `prior` is given
   Estimator estimator = default_estimator;
+  std::optional<PriorHeights> prior{};  // on the pixels of the pictures
 };
 
 /// A surface, and what a person should know of how it came about.

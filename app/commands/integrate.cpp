@@ -50,6 +50,8 @@ struct Input {
   Surface surface;
   IntegrateOptions options;
   double share_without_normal = 0.0;  // of the pixels that the mask asks for
+  Extent frame;                       // of the whole normal map
+  PixelBox box;                       // what the surface is of it
 };
 
 // A part of a map that lies where the map does, or the map itself if that is all of it.
@@ -84,13 +86,16 @@ Input read_input(const IntegrateArguments& arguments, DiskMemory& disk) {
     throw Error(arguments.normals.string() +
                 ": no pixel is left that has a normal and is in the mask; check the mask");
   }
-  const PixelBox box = bounding_box(file.mask);
-  Surface& surface = input.surface;
-  surface.extent = {.rows = box.rows, .cols = box.cols};
+  const PixelBox box = input.box = bounding_box(file.mask);
+  input.frame = {.rows = file.mask.rows(), .cols = file.mask.cols()};
   if (arguments.pitch_mm) {
-    surface.extent.pitch = *arguments.pitch_mm;
-    surface.extent.unit = Unit::mm;
+    input.frame.pitch = *arguments.pitch_mm;
+    input.frame.unit = Unit::mm;
   }
+  Surface& surface = input.surface;
+  surface.extent = input.frame;
+  surface.extent.rows = box.rows;
+  surface.extent.cols = box.cols;
   surface.mask = cut(std::move(file.mask), box);
   surface.normals = cut(std::move(file.normals), box);
   surface.offset_px = {box.col, box.row};
@@ -134,6 +139,8 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
   terminal.step("reading the normal map");
   Input input = read_input(arguments, disk);
   Surface& surface = input.surface;
+  std::optional<PriorHeights> prior;
+  if (arguments.prior.file) prior = read_prior(arguments.prior, input.frame, input.box);
   terminal.step("integrating");
   input.options.done = [&](int cycles, double error) {
     terminal.step(fmt::format("integrating: cycle {}, about {:.1g} px to go", cycles, error));
@@ -144,9 +151,13 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
   if (input.options.pin_hole) {
     write_depth(output.file("depth.exr"), surface, *input.options.pin_hole);
   }
-  const Levelling levelling = levelling_named(arguments.levelling);
-  level(surface.height, surface.mask, levelling);
-  surface.levelling = name_of(levelling);
+  if (prior) {
+    level(surface.height, surface.mask, *prior);
+    surface.levelling_cutoff = prior->cutoff_px * surface.extent.pitch;
+  } else {
+    level(surface.height, surface.mask, levelling_named(arguments.levelling));
+  }
+  surface.levelling = prior ? name_of(Levelling::prior) : arguments.levelling;
 
   terminal.step("writing the surface");
   const std::string notes = notes_of(input, found);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/prior_file.h"
 #include "app/terminal.h"
 
 namespace hada {
@@ -18,6 +19,7 @@ struct IntegrateArguments {
   bool y_down = false;
   std::string jumps = "automatic";
   std::string levelling = "offset";
+  PriorArguments prior;
   std::string memory = "automatic";  // ram or disk
 };
 

@@ -30,9 +30,14 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
   Photographs photographs = load_folder(arguments.capture, terminal, arguments.pitch_mm);
   const LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
   terminal.step("reconstructing normals and height");
-  const Reconstruction result =
-      reconstruct(lit.stack, {.levelling = levelling_named(arguments.levelling),
-                              .estimator = chosen_estimator(arguments.estimator)});
+  ReconstructOptions options{.levelling = levelling_named(arguments.levelling),
+                             .estimator = chosen_estimator(arguments.estimator)};
+  if (arguments.prior.file) {
+    const Extent frame = lit.stack.extent();
+    options.levelling = Levelling::prior;
+    options.prior = read_prior(arguments.prior, frame, {0, 0, frame.rows, frame.cols});
+  }
+  const Reconstruction result = reconstruct(lit.stack, options);
 
   const std::string notes = surface_notes(result);
   write_surface(output, "", result.surface, notes);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/prior_file.h"
 #include "app/terminal.h"
 
 namespace hada {
@@ -14,6 +15,7 @@ struct ReconstructArguments {
   std::optional<std::filesystem::path> lights;
   std::optional<double> pitch_mm;  // overrides the manifest
   std::string levelling = "plane";
+  PriorArguments prior;
   std::string estimator = "adaptive";
 };
 

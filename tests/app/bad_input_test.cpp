@@ -249,6 +249,38 @@ TEST_F(BadNormals, MapsOnTheDiskGiveTheSameBytes) {
   expect_refused(file("large.exr") + " --memory disk --jumps allowed");
 }
 
+TEST_F(BadNormals, HeightsKnownBeforeTakeTheLongWaves) {
+  // The plane of the normals, seen twice as coarse, but it falls twice as much.
+  Image prior(10, 15, 1);
+  for (int row = 0; row < 10; ++row) {
+    for (int col = 0; col < 15; ++col) prior.planes[0](row, col) = -1.5f * 0.2f * float(col);
+  }
+  prior.planes[0](2, 3) = std::nanf("");
+  write_exr(scratch / "prior.exr", prior);
+  const std::string with_prior =
+      "integrate " + file("normals.exr") + " --prior " + file("prior.exr");
+  const Answer said = answer(with_prior + " --pitch 0.1 --cutoff 1 -o " + file("known"));
+  EXPECT_EQ(said.code, 0) << said.err;
+  const Grid<float> height = read_image(scratch / "known" / "height.exr").image.planes[0];
+  // Beyond the middles of the outermost pixels of the prior nothing more is known of it.
+  EXPECT_NEAR(height(5, 24) - height(5, 5), -1.5f * 1.9f, 0.05f);
+  const std::string description = text_of(scratch / "known" / "surface.json");
+  EXPECT_NE(description.find("\"levelling\": \"prior\""), std::string::npos);
+  EXPECT_NE(description.find("\"levelling_cutoff\": 1"), std::string::npos);
+  EXPECT_EQ(answer("measure " + file("known")).code, 0);
+
+  expect_refused(file("normals.exr") + " --cutoff 1");
+  expect_refused(file("normals.exr") + " --prior " + file("none.exr"));
+  expect_refused(file("normals.exr") + " --prior " + file("mask.png"));
+  expect_refused(file("normals.exr") + " --levelling plane --prior " + file("prior.exr"));
+  expect_refused(file("normals.exr") + " --pitch 0.1 --cutoff 0.2 --prior " + file("prior.exr"));
+  write_exr(scratch / "square.exr", Image(9, 9, 1));
+  expect_refused(file("normals.exr") + " --prior " + file("square.exr"));
+  const Answer folder = answer("integrate " + file("normals.exr") + " --prior " + file("known") +
+                               " -o " + file("px"));
+  EXPECT_EQ(folder.code, 2);  // in mm, but the surface in pixels
+}
+
 TEST_F(BadNormals, MissingAndBrokenFilesAreSaid) {
   expect_refused(file("none.exr"));
   expect_refused(file("normals.exr") + " --mask " + file("none.png"));
