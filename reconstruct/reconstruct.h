@@ -14,7 +14,7 @@
 namespace hada {
 
 struct ReconstructOptions {
-  Levelling levelling = Levelling::plane;    // `prior` where `prior` is given
+  Levelling levelling = Levelling::plane;  // `prior` where `prior` is given
   Estimator estimator = default_estimator;
   std::optional<PriorHeights> prior{};  // on the pixels of the pictures
 };
