@@ -15,8 +15,10 @@ template <class T>
 Grid<std::complex<T>> fft(const Grid<T>& real);
 
 /// The real grid with `cols` columns whose transform is `half`: inverse of `fft`, factor 1 / size.
+/// Of columns that are their own mirror image, the first and for even `cols` the last, only the
+/// rows up to the middle are read.
 template <class T>
-Grid<T> inverse_fft(const Grid<std::complex<T>>& half, int cols);
+Grid<T> inverse_fft(Grid<std::complex<T>> half, int cols);
 
 /// The signed frequency index that row or column `k` of a transform of length `n` stands for.
 inline int signed_frequency(int k, int n) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/fft.h"
 #include "core/parallel.h"
@@ -21,7 +22,7 @@ Grid<double> taper_overlap(const Grid<double>& taper) {
   }
   auto transformed = fft(padded);
   for (auto& value : transformed) value = std::norm(value) / sum_w2;
-  return inverse_fft(transformed, padded.cols());
+  return inverse_fft(std::move(transformed), padded.cols());
 }
 
 Grid<double> expected_power(const Wrinkle<>& wrinkle, const Grid<double>& overlap,

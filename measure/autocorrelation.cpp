@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "core/fft.h"
 #include "core/parallel.h"
@@ -28,7 +29,7 @@ int fast_length(int least) {
 Grid<float> correlated_with_itself(const Grid<float>& map) {
   auto half = fft(map);
   for (auto& value : half) value = std::norm(value);
-  return inverse_fft(half, map.cols());
+  return inverse_fft(std::move(half), map.cols());
 }
 
 struct Moments {

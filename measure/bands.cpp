@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "core/bounding_box.h"
 #include "core/fft.h"
@@ -55,7 +56,7 @@ Grid<float> waves_of(const Grid<std::complex<double>>& transform, const Grid<flo
   for (int row = 0; row < part.rows(); ++row) {
     for (int col = 0; col < part.cols(); ++col) part(row, col) *= double(share(row, col));
   }
-  const auto tapered = inverse_fft(part, taper.cols());
+  const auto tapered = inverse_fft(std::move(part), taper.cols());
   Grid<float> waves(taper.rows(), taper.cols());
   for (std::size_t i = 0; i < waves.size(); ++i) {
     if (taper[i] >= least_taper) waves[i] = float(tapered[i] / taper[i]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/fft.h"
 #include "core/parallel.h"
@@ -27,7 +28,7 @@ Grid<double> cepstrum(const Spectrum& spectrum,
       logarithms(row, col) = std::log(power / model);
     }
   });
-  return inverse_fft(logarithms, extent.cols);
+  return inverse_fft(std::move(logarithms), extent.cols);
 }
 
 /// Where the parabola through three neighbours has its vertex, from the middle one, the highest.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/fft.h"
 
@@ -25,7 +26,7 @@ Grid<double> squared_modulus(const Grid<std::complex<double>>& half, int cols) {
 Grid<double> convolved(Grid<std::complex<double>> a, const Grid<std::complex<double>>& b,
                        int cols) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] *= b[i];
-  auto product = inverse_fft(a, cols);
+  auto product = inverse_fft(std::move(a), cols);
   for (double& value : product) value = std::max(value, 0.0);  // rounding may undercut 0
   return product;
 }

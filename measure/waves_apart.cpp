@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -135,14 +136,15 @@ class Plane {
             transform(row, col) * std::polar(double(finer) * finer, turn);
       }
     }
-    return crop(inverse_fft(padded, finer * cols_), 0, 0, finer * mask.rows(), finer * mask.cols());
+    return crop(inverse_fft(std::move(padded), finer * cols_), 0, 0, finer * mask.rows(),
+                finer * mask.cols());
   }
   /// The same of a product, 0 outside the mask.
   template <class Factor>
   Grid<double> map_of(Grid<std::complex<double>> transform, const Grid<Factor>& factor,
                       const Mask& mask) const {
     for (std::size_t i = 0; i < transform.size(); ++i) transform[i] *= factor[i];
-    auto map = crop(inverse_fft(transform, cols_), 0, 0, mask.rows(), mask.cols());
+    auto map = crop(inverse_fft(std::move(transform), cols_), 0, 0, mask.rows(), mask.cols());
     for (std::size_t i = 0; i < map.size(); ++i) map[i] *= mask[i];
     return map;
   }

@@ -105,7 +105,7 @@ Grid<float> gaussian_field_by_rows(const PsdOfRow& psd, const Extent& extent, Se
                                                                 col_turns[std::size_t(col)]));
     }
   });
-  return inverse_fft(half, extent.cols);
+  return inverse_fft(std::move(half), extent.cols);
 }
 
 }  // namespace hada

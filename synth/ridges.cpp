@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/fft.h"
@@ -238,7 +239,7 @@ Grid<float> with_ridges(const Grid<float>& field, const Wrinkle<>& wrinkle, doub
       half(row, col) *= power > 0.0f ? std::sqrt(wanted(row, col) / power) : 0.0f;
     }
   });
-  return inverse_fft(half, field.cols());
+  return inverse_fft(std::move(half), field.cols());
 }
 
 }  // namespace hada
