@@ -1,75 +1,159 @@
 #include "measure/hills.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace hada {
 namespace {
 
-// Each pixel above the flood points towards the summit of its hill; a summit to itself.
-class Flood {
- public:
-  explicit Flood(std::size_t pixels) : towards_(pixels, nobody) {}
+using Index = std::uint32_t;  // of a pixel, or of a hill
 
-  bool emerged(std::size_t pixel) const { return towards_[pixel] != nobody; }
-  void point(std::uint32_t pixel, std::uint32_t summit) { towards_[pixel] = summit; }
-  std::uint32_t summit(std::uint32_t pixel) {
-    while (towards_[pixel] != pixel) {
-      towards_[pixel] = towards_[towards_[pixel]];
-      pixel = towards_[pixel];
+constexpr float outside = -std::numeric_limits<float>::infinity();
+
+/// A map with a border all around, outside the mask as deep as can be.
+class Ground {
+ public:
+  Ground(const Grid<float>& height, const Mask& mask)
+      : height_(height.rows() + 2, height.cols() + 2, outside) {
+    for (int row = 0; row < height.rows(); ++row) {
+      for (int col = 0; col < height.cols(); ++col) {
+        if (mask(row, col)) height_(row + 1, col + 1) = height(row, col);
+      }
     }
-    return pixel;
+  }
+  Index size() const { return Index(height_.size()); }
+  float operator[](Index pixel) const { return height_[pixel]; }
+  bool counts(Index pixel) const { return height_[pixel] != outside; }
+  /// Whether one pixel emerges from a falling flood before the other.
+  bool before(Index a, Index b) const {
+    return height_[a] > height_[b] || (height_[a] == height_[b] && a < b);
+  }
+  /// Calls visit(neighbour) for the eight around a pixel that counts.
+  template <class Visit>
+  void visit_neighbours(Index pixel, const Visit& visit) const {
+    const Index cols = Index(height_.cols());
+    for (const Index middle : {pixel - cols, pixel, pixel + cols}) {
+      visit(middle - 1);
+      if (middle != pixel) visit(middle);
+      visit(middle + 1);
+    }
   }
 
  private:
-  static constexpr std::uint32_t nobody = 0xffffffffu;
-  std::vector<std::uint32_t> towards_;
+  Grid<float> height_;
 };
 
-std::vector<std::uint32_t> from_the_highest(const Grid<float>& height, const Mask& mask) {
-  std::vector<std::uint32_t> falling;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i]) falling.push_back(std::uint32_t(i));
+/// Shortens links to where they lead at last.
+void shorten(std::vector<Index>& links) {
+  for (Index i = 0; i < links.size(); ++i) {
+    Index end = i;
+    while (links[end] != end) end = links[end];
+    for (Index at = i; at != end;) at = std::exchange(links[at], end);
   }
-  std::stable_sort(falling.begin(), falling.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return height[a] > height[b]; });
-  return falling;
+}
+
+/// A map divided among its hills.
+struct Hills {
+  std::vector<Index> summits;   // pixel
+  std::vector<Index> of_pixel;  // hill
+};
+
+// Each pixel belongs to the summit that steps to the highest neighbour lead to.
+Hills single_hills(const Ground& ground) {
+  Hills hills{{}, std::vector<Index>(ground.size())};
+  std::vector<Index>& links = hills.of_pixel;
+  for (Index pixel = 0; pixel < ground.size(); ++pixel) {
+    Index highest = pixel;
+    if (ground.counts(pixel)) {
+      ground.visit_neighbours(pixel, [&](Index neighbour) {
+        if (ground.before(neighbour, highest)) highest = neighbour;
+      });
+    }
+    links[pixel] = highest;
+  }
+  shorten(links);
+  std::vector<Index> number(ground.size());
+  for (Index pixel = 0; pixel < links.size(); ++pixel) {
+    if (!ground.counts(pixel) || links[pixel] != pixel) continue;
+    number[pixel] = Index(hills.summits.size());
+    hills.summits.push_back(pixel);
+  }
+  for (Index& link : links) link = number[link];
+  return hills;
+}
+
+// Calls visit(other hill) for the neighbours that emerged before this pixel.
+template <class Visit>
+void visit_passes(const Hills& hills, const Ground& ground, Index pixel, const Visit& visit) {
+  const Index here = hills.of_pixel[pixel];
+  ground.visit_neighbours(pixel, [&](Index neighbour) {
+    const Index there = hills.of_pixel[neighbour];
+    if (there != here && ground.before(neighbour, pixel)) visit(there);
+  });
+}
+
+/// The highest way out of a hill.
+struct Pass {
+  Index pixel = 0;
+  Index beyond = 0;  // which hill; the same one where there is no way
+};
+
+// Of several hills at one pixel the way leads to the highest.
+std::vector<Pass> highest_passes(const Hills& hills, const Ground& ground,
+                                 const std::vector<Index>& borders) {
+  std::vector<Pass> passes(hills.summits.size());
+  for (Index hill = 0; hill < passes.size(); ++hill) passes[hill].beyond = hill;
+  const auto offer = [&](Index hill, Index pixel, Index beyond) {
+    Pass& pass = passes[hill];
+    if (pass.beyond == hill || ground.before(pixel, pass.pixel) ||
+        (pixel == pass.pixel && ground.before(hills.summits[beyond], hills.summits[pass.beyond])))
+      pass = {pixel, beyond};
+  };
+  for (const Index pixel : borders) {
+    visit_passes(hills, ground, pixel, [&](Index there) {
+      offer(hills.of_pixel[pixel], pixel, there);
+      offer(there, pixel, hills.of_pixel[pixel]);
+    });
+  }
+  return passes;
 }
 
 }  // namespace
 
-Hills hills(const Grid<float>& height, const Mask& mask, const HillOptions& options) {
-  const auto falling = from_the_highest(height, mask);
-  const int cols = height.cols();
-  Flood flood(mask.size());
-  for (const std::uint32_t pixel : falling) {
-    flood.point(pixel, pixel);
-    for (int d = 0; d < 9; ++d) {
-      const int row = int(pixel) / cols + d / 3 - 1;
-      int col = int(pixel) % cols + d % 3 - 1;
-      if (options.columns_wrap) col = (col + cols) % cols;
-      if (!mask.contains(row, col)) continue;
-      const auto neighbour = std::uint32_t(row) * std::uint32_t(cols) + std::uint32_t(col);
-      if (!flood.emerged(neighbour)) continue;
-      const auto here = flood.summit(pixel), there = flood.summit(neighbour);
-      if (here == there) continue;
-      const auto low = height[here] > height[there] ? there : here;
-      const auto high = low == here ? there : here;
-      // Ground on the way down belongs to the first hill that it touches.
-      if (low == pixel || height[low] - height[pixel] < options.least_rise(low))
-        flood.point(low, high);
+int hill_count(const Grid<float>& height, const Mask& mask, double least_rise) {
+  const Ground ground(height, mask);
+  Hills hills = single_hills(ground);
+  std::vector<Index> borders;  // pixels that passes lead through
+  for (Index pixel = 0; pixel < ground.size(); ++pixel) {
+    if (ground.counts(pixel)) borders.push_back(pixel);
+  }
+  int count = int(hills.summits.size());
+  // A hill ends at its highest pass if that leads to a higher one, in whichever order they join.
+  for (bool joined = true; joined;) {
+    joined = false;
+    std::erase_if(borders, [&](Index pixel) {
+      bool is_pass = false;
+      visit_passes(hills, ground, pixel, [&](Index) { is_pass = true; });
+      return !is_pass;
+    });
+    const auto passes = highest_passes(hills, ground, borders);
+    std::vector<Index> links(hills.summits.size());
+    for (Index hill = 0; hill < links.size(); ++hill) {
+      const auto [pass, beyond] = passes[hill];
+      const Index summit = hills.summits[hill];
+      links[hill] = ground.before(hills.summits[beyond], summit) ? beyond : hill;
+      if (links[hill] == hill) continue;
+      joined = true;
+      if (ground[summit] - ground[pass] < least_rise) --count;
     }
+    shorten(links);
+    for (Index& hill : hills.of_pixel) hill = links[hill];
   }
-  Hills found{Grid<int>(mask.rows(), mask.cols(), -1), 0};
-  for (const std::uint32_t pixel : falling) {
-    const auto summit = flood.summit(pixel);
-    if (summit == pixel)
-      found.of_pixel[pixel] = found.count++;
-    else
-      found.of_pixel[pixel] = found.of_pixel[summit];
-  }
-  return found;
+  return count;
 }
 
 }  // namespace hada

@@ -188,9 +188,7 @@ RoughnessEstimate estimate(const Grid<float>& height, const Mask& mask, double p
   found.value.Sal = texture.shortest_px * pitch;
   found.value.Str = texture.aspect;
   const double area = all.count * pitch * pitch;
-  const int count =
-      hills(height, mask, {.least_rise = [&](std::size_t) { return hill_share * found.value.Sz; }})
-          .count;
+  const int count = hill_count(height, mask, hill_share * found.value.Sz);
   found.value.Spd = count / area;
   found.sigma.Spd = std::sqrt(double(count)) / area;
   if (!with_sigma) return found;
