@@ -1,7 +1,9 @@
 #include "measure/autocorrelation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -54,22 +56,30 @@ Moments moments(const Grid<float>& height, const Mask& mask) {
 }  // namespace
 
 Autocorrelation::Autocorrelation(const Grid<float>& height, const Mask& mask)
-    : most_rows_(height.rows() / 2), most_cols_(height.cols() / 2) {
+    : most_rows_(height.rows() / 2),
+      most_cols_(height.cols() / 2),
+      rows_(height.rows()),
+      cols_(height.cols()) {
   const auto [mean, variance] = moments(height, mask);
-  const int rows = fast_length(height.rows() + most_rows_ + 1);
-  const int cols = fast_length(height.cols() + most_cols_ + 1);
+  // A lag and what comes around from the other side share no product.
+  const int rows = fast_length(rows_ + most_rows_);
+  const int cols = fast_length(cols_ + most_cols_);
+  const bool is_full = std::all_of(mask.begin(), mask.end(), [](auto counts) { return counts; });
   Grid<float> map(rows, cols);
-  Grid<float> inside(rows, cols);
-  for (int row = 0; row < height.rows(); ++row) {
-    for (int col = 0; col < height.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      map(row, col) = float((height(row, col) - mean) / std::sqrt(variance));
-      inside(row, col) = 1.0f;
+  for (int row = 0; row < rows_; ++row) {
+    for (int col = 0; col < cols_; ++col) {
+      if (mask(row, col)) map(row, col) = float((height(row, col) - mean) / std::sqrt(variance));
     }
   }
   products_ = correlated_with_itself(map);
-  pairs_ = correlated_with_itself(inside);
-  fewest_pairs_ = least_overlap * pairs_(0, 0);
+  if (!is_full) {
+    Grid<float> inside(rows, cols);
+    for (int row = 0; row < rows_; ++row) {
+      for (int col = 0; col < cols_; ++col) inside(row, col) = mask(row, col) ? 1.0f : 0.0f;
+    }
+    pairs_ = correlated_with_itself(inside);
+  }
+  fewest_pairs_ = least_overlap * pairs(0, 0);
 }
 
 std::optional<double> Autocorrelation::at(double right, double down) const {
@@ -106,10 +116,16 @@ std::vector<double> Autocorrelation::lengths_px(int directions) const {
 
 std::optional<double> Autocorrelation::at_lag(int row, int col) const {
   if (std::abs(row) > most_rows_ || std::abs(col) > most_cols_) return std::nullopt;
-  const int r = row < 0 ? row + products_.rows() : row;
-  const int c = col < 0 ? col + products_.cols() : col;
-  if (pairs_(r, c) < fewest_pairs_) return std::nullopt;
-  return double(products_(r, c)) / pairs_(r, c);
+  const int r = (row + products_.rows()) % products_.rows();
+  const int c = (col + products_.cols()) % products_.cols();
+  const double count = pairs(row, col);
+  if (count < fewest_pairs_) return std::nullopt;
+  return double(products_(r, c)) / count;
+}
+
+double Autocorrelation::pairs(int row, int col) const {
+  if (pairs_.empty()) return double(rows_ - std::abs(row)) * (cols_ - std::abs(col));
+  return pairs_((row + pairs_.rows()) % pairs_.rows(), (col + pairs_.cols()) % pairs_.cols());
 }
 
 }  // namespace hada

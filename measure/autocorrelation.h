@@ -27,12 +27,14 @@ class Autocorrelation {
 
  private:
   std::optional<double> at_lag(int row, int col) const;
+  double pairs(int row, int col) const;
 
   int most_rows_;
   int most_cols_;
+  int rows_, cols_;
   double fewest_pairs_ = 0.0;
   Grid<float> products_;
-  Grid<float> pairs_;
+  Grid<float> pairs_;  // of a mask that leaves nothing out: none, they are known
 };
 
 }  // namespace hada

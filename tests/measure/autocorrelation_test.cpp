@@ -39,6 +39,15 @@ TEST(Autocorrelation, FallsAfterTheArcCosine) {
   EXPECT_GE(found.length_px(0, 1), 31.0);  // along the crests it never falls
 }
 
+TEST(Autocorrelation, CountsThePairsOfAnyMaskAlike) {
+  const auto map = waves(64, 256);
+  Mask mask(64, 256, 1);
+  mask(63, 255) = 0;  // one pixel in 16384, one pair in 8000 at these lags
+  const Autocorrelation whole(map, Mask(64, 256, 1)), part(map, mask);
+  for (const int lag : {0, 9, -32, 100})
+    EXPECT_NEAR(part.at(lag, 12).value(), whole.at(lag, 12).value(), 1e-3) << lag;
+}
+
 TEST(Autocorrelation, LooksCounterClockwise) {
   Grid<float> map(128, 128);
   for (int row = 0; row < 128; ++row) {
