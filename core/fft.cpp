@@ -110,6 +110,16 @@ Grid<T> inverse_fft(Grid<std::complex<T>> half, int cols) {
   return real;
 }
 
+int fast_length(int least) {
+  for (int length = std::max(least, 1);; ++length) {
+    int rest = length;
+    for (const int prime : {2, 3, 5}) {
+      while (rest % prime == 0) rest /= prime;
+    }
+    if (rest == 1) return length;
+  }
+}
+
 template Grid<std::complex<float>> fft(const Grid<float>&);
 template Grid<std::complex<double>> fft(const Grid<double>&);
 template Grid<float> inverse_fft(Grid<std::complex<float>>, int);

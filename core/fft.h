@@ -20,6 +20,9 @@ Grid<std::complex<T>> fft(const Grid<T>& real);
 template <class T>
 Grid<T> inverse_fft(Grid<std::complex<T>> half, int cols);
 
+/// The next length from `least` on whose transform is fast: no prime factor above 5.
+int fast_length(int least);
+
 /// The signed frequency index that row or column `k` of a transform of length `n` stands for.
 inline int signed_frequency(int k, int n) {
   return k <= n / 2 ? k : k - n;

@@ -17,17 +17,6 @@ constexpr double fallen = 0.2;          // where it counts as gone (ISO 25178-3)
 constexpr double least_overlap = 0.25;  // of the pixels, for a lag to be believed
 constexpr double march_step_px = 0.25;
 
-// The next length whose transform is fast: no prime factor above 5.
-int fast_length(int least) {
-  for (int length = least;; ++length) {
-    int rest = length;
-    for (const int prime : {2, 3, 5}) {
-      while (rest % prime == 0) rest /= prime;
-    }
-    if (rest == 1) return length;
-  }
-}
-
 Grid<float> correlated_with_itself(const Grid<float>& map) {
   auto half = fft(map);
   for (auto& value : half) value = std::norm(value);

@@ -113,6 +113,14 @@ TEST(FftThreads, GivesTheSameBytesAtAnyThreadCount) {
   set_threads(0);
 }
 
+TEST(FastLength, HasNoLargePrimes) {
+  EXPECT_EQ(fast_length(0), 1);
+  EXPECT_EQ(fast_length(7), 8);
+  EXPECT_EQ(fast_length(11), 12);
+  EXPECT_EQ(fast_length(15), 15);
+  EXPECT_EQ(fast_length(6145), 6250);  // 6144 = 2^11 3, 6250 = 2 5^5
+}
+
 TEST(SignedFrequency, RunsUpToNyquistAndThenFromBelow) {
   EXPECT_EQ(signed_frequency(0, 8), 0);
   EXPECT_EQ(signed_frequency(4, 8), 4);
