@@ -6,6 +6,7 @@
 
 #include "core/field.h"
 #include "measure/chi_squared.h"
+#include "measure/half_plane.h"
 
 namespace hada {
 namespace {
@@ -35,19 +36,14 @@ double nyquist(const Spectrum& spectrum) {
 }
 
 /// Calls visit(fx, fy, radius, power, times) for every ordinate of half a plane inside the Nyquist
-/// circle but the mean, `times` that it stands for: f and -f are two.
+/// circle but the mean, as `visit_half_plane`.
 template <class Visit>
 void visit_ordinates(const Spectrum& spectrum, const Visit& visit) {
-  const int cols = spectrum.power.cols();
-  for (int row = 0; row < spectrum.power.rows(); ++row) {
-    const double fy = spectrum.fy(row);
-    for (int col = row == 0 ? 1 : 0; 2 * col <= cols; ++col) {
-      const double fx = spectrum.fx(col);
-      const double radius = std::sqrt(fx * fx + fy * fy);
-      if (radius >= nyquist(spectrum)) continue;
-      visit(fx, fy, radius, spectrum.power(row, col), col == 0 || 2 * col == cols ? 1 : 2);
-    }
-  }
+  const double most = nyquist(spectrum);
+  visit_half_plane(spectrum, most, most, [&](int row, int col, double fx, double fy, int times) {
+    const double radius = std::sqrt(fx * fx + fy * fy);
+    if (radius < most) visit(fx, fy, radius, spectrum.power(row, col), times);
+  });
 }
 
 template <class Summary>

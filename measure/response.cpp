@@ -12,13 +12,17 @@ double sinc(double x) {
 
 }  // namespace
 
+double mean_amplitude(double fx, double fy, double pitch) {
+  return sinc(std::numbers::pi * fx * pitch) * sinc(std::numbers::pi * fy * pitch);
+}
+
 double photographed_amplitude(double fx, double fy, double pitch) {
   const double x = std::numbers::pi * fx * pitch;
   const double y = std::numbers::pi * fy * pitch;
   const double differences = std::pow(std::sin(x), 2) + std::pow(std::sin(y), 2);
   if (differences < 1e-12) return 1.0;
   const double integrated = (x * std::sin(2.0 * x) + y * std::sin(2.0 * y)) / (2.0 * differences);
-  return sinc(x) * sinc(y) * integrated;
+  return mean_amplitude(fx, fy, pitch) * integrated;
 }
 
 double lens_amplitude(double fx, double fy, double sigma) {

@@ -2,13 +2,17 @@
 
 namespace hada {
 
+/// What means over squares of side `pitch` leave of the amplitude of a wave: sinc X sinc Y with
+/// X = pi fx pitch, Y = pi fy pitch.
+double mean_amplitude(double fx, double fy, double pitch);
+
 /// What is left of the amplitude of a wave of the height, after a camera has seen its slopes as
 /// means over square pixels and the slopes were integrated with trapezoids.
 ///
 /// fx, fy   cycles per unit, below Nyquist
 /// returns  1 for long waves, falling to 0 at Nyquist; cos(pi fx pitch) for a wave along x
 ///
-/// The pixel leaves sinc X sinc Y, X = pi fx pitch, Y = pi fy pitch. Least squares over the
+/// The pixel leaves `mean_amplitude`, sinc X sinc Y. Least squares over the
 /// differences D, with slopes averaged over the two pixels of each, leaves
 /// (X sin 2X + Y sin 2Y) / (2 (sin^2 X + sin^2 Y)).
 double photographed_amplitude(double fx, double fy, double pitch);

@@ -16,8 +16,6 @@
 namespace hada {
 namespace {
 
-constexpr int fewest_pixels = 8;  // along each side
-
 /// Rises as a squared sine from 0 to 1 over `width`, and stays there.
 double ease(double distance, double width) {
   if (distance >= width) return 1.0;
@@ -46,11 +44,11 @@ Grid<double> taper_of(const Mask& mask, double taper) {
   const auto down = tukey(mask.rows(), taper);
   const auto across = tukey(mask.cols(), taper);
   Grid<double> weight(mask.rows(), mask.cols());
-  for (int row = 0; row < mask.rows(); ++row) {
+  for_each_index(mask.rows(), [&](int row) {
     for (int col = 0; col < mask.cols(); ++col) {
       weight(row, col) = down[std::size_t(row)] * across[std::size_t(col)];
     }
-  }
+  });
   if (std::all_of(mask.begin(), mask.end(), [](auto counts) { return counts != 0; })) return weight;
 
   // The same share of the way from the border to the middle as in the Tukey window.
@@ -67,46 +65,41 @@ Grid<double> taper_of(const Mask& mask, double taper) {
   return weight;
 }
 
-double sum_of(const Grid<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum;
+/// What a taper costs.
+struct TaperSums {
+  double squares = 0.0, fourth_powers = 0.0;
+  double steps_x = 0.0, steps_y = 0.0;  // squared steps to the next value, with zeros all around
+};
+
+TaperSums sums_of_row(const Grid<double>& weight, int row) {
+  const auto here = weight.row(row);
+  TaperSums sums;
+  double left = 0.0;
+  for (std::size_t col = 0; col < here.size(); ++col) {
+    const double w = here[col], w2 = w * w;
+    const double below = row + 1 < weight.rows() ? weight(row + 1, int(col)) : 0.0;
+    sums.squares += w2;
+    sums.fourth_powers += w2 * w2;
+    sums.steps_x += (w - left) * (w - left);
+    sums.steps_y += (w - below) * (w - below);
+    if (row == 0) sums.steps_y += w2;
+    left = w;
+  }
+  sums.steps_x += left * left;
+  return sums;
 }
 
-Grid<double> times(const Grid<double>& a, const Grid<double>& b) {
-  Grid<double> product(a.rows(), a.cols());
-  for (std::size_t i = 0; i < product.size(); ++i) product[i] = a[i] * b[i];
-  return product;
-}
-
-/// Sum of the squared steps from each value to the next one in direction (d_row, d_col), with
-/// zeros around the grid.
-double squared_steps(const Grid<double>& weight, int d_row, int d_col) {
-  const auto at = [&](int row, int col) {
-    return weight.contains(row, col) ? weight(row, col) : 0.0;
-  };
-  double sum = 0.0;
-  for (int row = -d_row; row < weight.rows(); ++row) {
-    for (int col = -d_col; col < weight.cols(); ++col) {
-      const double step = at(row + d_row, col + d_col) - at(row, col);
-      sum += step * step;
-    }
+TaperSums sums_of(const Grid<double>& weight) {
+  std::vector<TaperSums> of_rows(std::size_t(weight.rows()));
+  for_each_index(weight.rows(),
+                 [&](int row) { of_rows[std::size_t(row)] = sums_of_row(weight, row); });
+  TaperSums sums;
+  for (const TaperSums& row : of_rows) {
+    for (const auto member :
+         {&TaperSums::squares, &TaperSums::fourth_powers, &TaperSums::steps_x, &TaperSums::steps_y})
+      sums.*member += row.*member;
   }
-  return sum;
-}
-
-/// w (map - mean), the mean weighted so that nothing is left at frequency 0.
-Grid<double> tapered(const Grid<float>& map, const Grid<double>& weight) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (weight[i] > 0.0) sum += weight[i] * map[i];
-  }
-  const double mean = sum / sum_of(weight);
-  Grid<double> product(map.rows(), map.cols());
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (weight[i] > 0.0) product[i] = weight[i] * (map[i] - mean);
-  }
-  return product;
+  return sums;
 }
 
 }  // namespace
@@ -119,32 +112,53 @@ double Spectrum::fy(int row) const {
   return -signed_frequency(row, extent.rows) / extent.height();  // rows run downward
 }
 
+Grid<double> tapered(const Grid<float>& map, const PixelBox& box, const Grid<double>& taper) {
+  assert(taper.rows() == box.rows && taper.cols() == box.cols);
+  double sum = 0.0, weights = 0.0;
+  for (int row = 0; row < box.rows; ++row) {
+    for (int col = 0; col < box.cols; ++col) {
+      const double w = taper(row, col);
+      if (!(w > 0.0)) continue;
+      sum += w * map(box.row + row, box.col + col);
+      weights += w;
+    }
+  }
+  const double mean = sum / weights;
+  Grid<double> product(box.rows, box.cols);
+  for_each_index(box.rows, [&](int row) {
+    for (int col = 0; col < box.cols; ++col) {
+      const double w = taper(row, col);
+      if (w > 0.0) product(row, col) = w * (map(box.row + row, box.col + col) - mean);
+    }
+  });
+  return product;
+}
+
 Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& extent,
                         const SpectrumOptions& options) {
   assert(map.same_size(mask) && map.rows() == extent.rows && map.cols() == extent.cols);
   const PixelBox box = bounding_box(mask);
-  if (box.rows < fewest_pixels || box.cols < fewest_pixels) {
+  if (std::min(box.rows, box.cols) < fewest_spectrum_pixels) {
     throw Error("spectrum: the mask is smaller than 8 x 8 pixels; measure a larger sample");
   }
   auto weight = taper_of(crop(mask, box.row, box.col, box.rows, box.cols), options.taper);
-  const auto squared = times(weight, weight);
-  const double sum_w2 = sum_of(squared);
-  const double sum_w4 = sum_of(times(squared, squared));
+  const TaperSums sums = sums_of(weight);
 
   Spectrum spectrum;
   spectrum.extent = {box.rows, box.cols, extent.pitch, extent.unit};
-  spectrum.independence = sum_w2 * sum_w2 / (double(weight.size()) * sum_w4);
+  spectrum.independence =
+      sums.squares * sums.squares / (double(weight.size()) * sums.fourth_powers);
   const double pitch2 = extent.pitch * extent.pitch;
-  spectrum.window_x = squared_steps(weight, 0, 1) / (2.0 * sum_w2 * pitch2);
-  spectrum.window_y = squared_steps(weight, 1, 0) / (2.0 * sum_w2 * pitch2);
+  spectrum.window_x = sums.steps_x / (2.0 * sums.squares * pitch2);
+  spectrum.window_y = sums.steps_y / (2.0 * sums.squares * pitch2);
 
-  const auto half = fft(tapered(crop(map, box.row, box.col, box.rows, box.cols), weight));
+  const auto half = fft(tapered(map, box, weight));
   spectrum.power = Grid<double>(box.rows, box.cols);
   for_each_index(box.rows, [&](int row) {
     const int mirrored_row = (box.rows - row) % box.rows;
     for (int col = 0; col < box.cols; ++col) {
       const auto& value = col < half.cols() ? half(row, col) : half(mirrored_row, box.cols - col);
-      spectrum.power(row, col) = std::norm(value) * pitch2 / sum_w2;
+      spectrum.power(row, col) = std::norm(value) * pitch2 / sums.squares;
     }
   });
   spectrum.taper = std::move(weight);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bounding_box.h"
 #include "core/extent.h"
 #include "core/grid.h"
 
@@ -23,6 +24,8 @@ struct Spectrum {
   double fy(int row) const;
 };
 
+constexpr int fewest_spectrum_pixels = 8;  // along each side
+
 struct SpectrumOptions {
   double taper = 0.25;  // share of each side that a Tukey window falls off over, 0 to 1
 };
@@ -36,5 +39,9 @@ struct SpectrumOptions {
 /// throws  Error if the mask is empty or smaller than 8 x 8 pixels
 Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& extent,
                         const SpectrumOptions& options = {});
+
+/// taper (map - mean) in `box`, the mean weighted so that nothing is left at frequency 0; 0, and
+/// the map not read, where the taper is 0.
+Grid<double> tapered(const Grid<float>& map, const PixelBox& box, const Grid<double>& taper);
 
 }  // namespace hada
