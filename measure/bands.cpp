@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/bounding_box.h"
 #include "core/fft.h"
 #include "core/field.h"
 #include "core/parallel.h"
+#include "measure/half_plane.h"
 #include "measure/hump_search.h"
 #include "measure/waves_apart.h"
 
@@ -26,95 +31,76 @@ struct Centroid {
   std::complex<double> doubled = 0.0;  // mean of exp(2 i direction)
 };
 
-// share  of the power that counts, at every ordinate of half a plane
+// Of the ordinates of `spectrum` up to those frequencies.
+//
+// share(fx, fy)  of the power that counts
 template <class Share>
-Centroid centroid_of(const Spectrum& spectrum, const Share& share) {
+Centroid centroid_of(const Spectrum& spectrum, double most_fx, double most_fy, const Share& share) {
   double power = 0.0, frequency = 0.0, squares = 0.0;
   std::complex<double> doubled = 0.0;
-  const int cols = spectrum.power.cols(), half = cols / 2 + 1;
-  for (int row = 0; row < spectrum.power.rows(); ++row) {
-    for (int col = row == 0 ? 1 : 0; col < half; ++col) {
-      const double times = col == 0 || 2 * col == cols ? 1.0 : 2.0;  // of the whole plane
-      const double here = times * share(row, col) * spectrum.power(row, col);
-      if (!(here > 0.0)) continue;
-      const double fx = spectrum.fx(col), fy = spectrum.fy(row), ff = fx * fx + fy * fy;
-      power += here;
-      frequency += here * std::sqrt(ff);
-      squares += here * ff;
-      doubled += here * std::complex<double>(fx * fx - fy * fy, 2.0 * fx * fy) / ff;
-    }
-  }
+  visit_half_plane(spectrum, most_fx, most_fy,
+                   [&](int row, int col, double fx, double fy, int times) {
+                     const double here = times * share(fx, fy) * spectrum.power(row, col);
+                     if (!(here > 0.0)) return;
+                     const double ff = fx * fx + fy * fy;
+                     power += here;
+                     frequency += here * std::sqrt(ff);
+                     squares += here * ff;
+                     doubled += here * std::complex<double>(fx * fx - fy * fy, 2.0 * fx * fy) / ff;
+                   });
   const double mean = frequency / power;
   return {mean, std::sqrt(std::max(squares / power - mean * mean, 0.0)), doubled / power};
 }
 
-// The waves of one band alone: filtered out of the tapered map, the taper taken off again where it
-// is not too thin.
-Grid<float> waves_of(const Grid<std::complex<double>>& transform, const Grid<float>& share,
-                     const Grid<double>& taper) {
-  auto part = transform;
-  for (int row = 0; row < part.rows(); ++row) {
-    for (int col = 0; col < part.cols(); ++col) part(row, col) *= double(share(row, col));
-  }
-  const auto tapered = inverse_fft(std::move(part), taper.cols());
-  Grid<float> waves(taper.rows(), taper.cols());
-  for (std::size_t i = 0; i < waves.size(); ++i) {
-    if (taper[i] >= least_taper) waves[i] = float(tapered[i] / taper[i]);
-  }
-  return waves;
-}
+/// The share of a hump in the density of its mixture, by frequency.
+class Share {
+ public:
+  Share(const SpectralHump& hump, const HumpMixture& mixture) : hump_(hump), all_(mixture) {}
+  double operator()(double fx, double fy) const { return hump_(fx, fy) / all_(fx, fy); }
 
-Grid<std::complex<double>> transform_of(const Spectrum& spectrum, const Grid<float>& map,
-                                        const Mask& mask) {
-  const PixelBox box = bounding_box(mask);
-  const auto part = crop(map, box.row, box.col, box.rows, box.cols);
+  double most_fx() const { return hump_.reach(0, reach); }
+  double most_fy() const { return hump_.reach(1, reach); }
+
+ private:
+  static constexpr double reach = 5.0;  // widths: beyond lie 4e-6 of the power
+  HumpDensity hump_;
+  MixtureDensity all_;
+};
+
+// Mean square of the waves of one band: filtered out of the tapered map, the taper taken off again
+// where it is not too thin. The waves are worked out in steps as wide as they allow.
+double mean_square(const Grid<std::complex<double>>& transform, const Share& share,
+                   const Spectrum& spectrum) {
   const auto& taper = spectrum.taper;
-  double sum = 0.0, weights = 0.0;
-  for (std::size_t i = 0; i < taper.size(); ++i) {
-    if (!(taper[i] > 0.0)) continue;
-    sum += taper[i] * part[i];
-    weights += taper[i];
-  }
-  Grid<double> tapered(part.rows(), part.cols());
-  for (std::size_t i = 0; i < taper.size(); ++i) {
-    if (taper[i] > 0.0) tapered[i] = taper[i] * (part[i] - sum / weights);
-  }
-  return fft(tapered);
-}
-
-// density(fx, fy) at every frequency of half a plane but 0.
-template <class Density>
-Grid<float> half_plane(const Spectrum& spectrum, const Density& density) {
-  Grid<float> values(spectrum.power.rows(), spectrum.power.cols() / 2 + 1);
-  for_each_index(values.rows(), [&](int row) {
-    for (int col = row == 0 ? 1 : 0; col < values.cols(); ++col)
-      values(row, col) = float(density(spectrum.fx(col), spectrum.fy(row)));
+  const int rows = taper.rows(), cols = taper.cols();
+  const auto steps = [](double most_f, double length, int count) {
+    return int(std::min(std::floor(most_f * length), double((count - 1) / 2)));
+  };
+  const int most_row = steps(share.most_fy(), spectrum.extent.height(), rows);
+  const int most_col = steps(share.most_fx(), spectrum.extent.width(), cols);
+  const int fewer_rows = std::min(rows, fast_length(2 * most_row + 1));
+  const int fewer_cols = std::min(cols, fast_length(2 * most_col + 1));
+  Grid<std::complex<double>> part(fewer_rows, fewer_cols / 2 + 1);
+  const double scale = double(fewer_rows) * fewer_cols / (double(rows) * cols);
+  for_each_index(2 * most_row + 1, [&](int i) {
+    const int row = (i - most_row + rows) % rows;
+    const int fewer_row = (i - most_row + fewer_rows) % fewer_rows;
+    for (int col = row == 0 ? 1 : 0; col <= most_col; ++col)
+      part(fewer_row, col) =
+          scale * std::sqrt(share(spectrum.fx(col), spectrum.fy(row))) * transform(row, col);
   });
-  return values;
-}
-
-Grid<float> densities_of(const HumpMixture& mixture, const Spectrum& spectrum) {
-  return half_plane(spectrum, [&](double fx, double fy) { return mixture.density(fx, fy); });
-}
-
-// The share of the power that is the hump's.
-//
-// densities  of the mixture that it is in
-Grid<float> share_of(const SpectralHump& hump, const Grid<float>& densities,
-                     const Spectrum& spectrum) {
-  auto share = half_plane(spectrum, [&](double fx, double fy) { return hump.density(fx, fy); });
-  for (std::size_t i = 1; i < share.size(); ++i) share[i] /= densities[i];
-  return share;
-}
-
-double root_mean_square(const Grid<float>& values, const Mask& mask) {
+  const auto waves = inverse_fft(std::move(part), fewer_cols);
   double sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!mask[i]) continue;
-    sum += double(values[i]) * values[i];
-    count += 1.0;
+  for (int row = 0; row < fewer_rows; ++row) {
+    const int taper_row = int(std::int64_t(row) * rows / fewer_rows);
+    for (int col = 0; col < fewer_cols; ++col) {
+      const double weight = taper(taper_row, int(std::int64_t(col) * cols / fewer_cols));
+      if (!(weight >= least_taper)) continue;
+      sum += std::pow(waves(row, col) / weight, 2);
+      count += 1.0;
+    }
   }
-  return std::sqrt(sum / count);
+  return sum / count;
 }
 
 // independent  how many independent observations the band rests on
@@ -133,12 +119,16 @@ Band band_from(const Centroid& centroid, double rms, double independent) {
   return band;
 }
 
-// The spectrum of what lies in the largest rectangle inside the mask, tapered up to its middle:
-// strong waves leak least into weak ones so. An irregular border would not let a taper be smooth.
+// What lies in the largest rectangle inside the mask, if it has a spectrum: an irregular border
+// would not let a taper be smooth.
+PixelBox inner_box(const Mask& mask) {
+  const PixelBox box = largest_box_inside(mask);
+  return std::min(box.rows, box.cols) < fewest_spectrum_pixels ? bounding_box(mask) : box;
+}
+
+// Its spectrum, tapered up to its middle: strong waves leak least into weak ones so.
 Spectrum inner_spectrum(const Grid<float>& map, const Mask& mask, const Extent& extent) {
-  constexpr int least_side = 8;  // for a spectrum
-  PixelBox box = largest_box_inside(mask);
-  if (std::min(box.rows, box.cols) < least_side) box = bounding_box(mask);  // holes all over
+  const PixelBox box = inner_box(mask);
   return power_spectrum(crop(map, box.row, box.col, box.rows, box.cols),
                         crop(mask, box.row, box.col, box.rows, box.cols),
                         {box.rows, box.cols, extent.pitch, extent.unit}, {.taper = 1.0});
@@ -146,15 +136,31 @@ Spectrum inner_spectrum(const Grid<float>& map, const Mask& mask, const Extent& 
 
 // How many independent waves a hump is made of, on that map: its variance is a sum of so many
 // squares, each exponentially distributed.
-double independent_waves(const SpectralHump& hump, const std::vector<SpectralPatch>& patches,
-                         double independence) {
+double independent_waves(const SpectralHump& hump, const SpectralPatches& patches) {
+  const HumpDensity density_at(hump);
   double sum = 0.0, squares = 0.0;
-  for (const SpectralPatch& patch : patches) {
-    const double density = hump.density(patch.fx, patch.fy);
+  for (const SpectralPatch& patch : patches.all) {
+    const double density = density_at(patch.fx, patch.fy);
     sum += patch.count * density;
     squares += patch.count * density * density;
   }
-  return std::max(1.0, independence * sum * sum / squares);  // 1 also of one beyond all patches
+  // 1 also of one beyond all patches
+  return std::max(1.0, patches.independence * sum * sum / squares);
+}
+
+/// What of a map was not told apart without a taper.
+struct Rest {
+  Grid<std::complex<double>> transform;  // with the taper of the spectrum of the map
+  Spectrum inner;
+};
+
+// Whether the map is anything but the rounding of its values.
+bool is_rough(const Grid<float>& map, const Mask& mask, double variance) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (mask[i]) largest = std::max(largest, double(std::abs(map[i])));
+  }
+  return variance > std::pow(std::numeric_limits<float>::epsilon() * largest, 2);
 }
 
 }  // namespace
@@ -162,37 +168,33 @@ double independent_waves(const SpectralHump& hump, const std::vector<SpectralPat
 std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const Mask& mask,
                         const BandOptions& options) {
   const Extent extent{map.rows(), map.cols(), spectrum.extent.pitch, spectrum.extent.unit};
-  const Spectrum inner = inner_spectrum(map, mask, extent);
-  const HumpMixture mixture = humps_of(inner, options.most);
-  const auto patches = patches_of(inner);
-  const auto apart = waves_apart(map, mask, extent, mixture);
-  const Spectrum inner_rest = inner_spectrum(apart.rest, mask, extent);
-  const auto transform = transform_of(spectrum, apart.rest, mask);
-  const auto densities = densities_of(mixture, spectrum);
-  const auto inner_densities = densities_of(mixture, inner_rest);
-  Mask trusted(spectrum.taper.rows(), spectrum.taper.cols(), 0);
-  for (std::size_t i = 0; i < trusted.size(); ++i) trusted[i] = spectrum.taper[i] >= least_taper;
   double total = 0.0;
   for (const double power : spectrum.power) total += power;
   total /= spectrum.extent.width() * spectrum.extent.height();
+  if (!is_rough(map, mask, total)) return {};
+  const auto patches = patches_of(inner_spectrum(map, mask, extent));
+  const HumpMixture mixture = humps_of(patches, options.most);
+  const auto apart = waves_apart(map, mask, extent, mixture);
+  std::optional<Rest> rest;
+  if (!std::all_of(apart.of_hump.begin(), apart.of_hump.end(),
+                   [](const auto& waves) { return waves.has_value(); }))
+    rest = {fft(tapered(apart.rest, bounding_box(mask), spectrum.taper)),
+            inner_spectrum(apart.rest, mask, extent)};
   std::vector<Band> result;
   for (std::size_t k = 0; k < mixture.humps.size(); ++k) {
     const SpectralHump& hump = mixture.humps[k];
-    const double independent = independent_waves(hump, patches, inner.independence);
+    const double independent = independent_waves(hump, patches);
     Band band;
     if (const auto& waves = apart.of_hump[k]) {
-      auto centroid = centroid_of(inner_spectrum(waves->map, apart.mask, apart.extent),
-                                  [](int, int) { return 1.0; });
+      auto centroid = centroid_of(inner_spectrum(waves->map, apart.mask, apart.extent), HUGE_VAL,
+                                  HUGE_VAL, [](double, double) { return 1.0; });
       centroid.frequency *= waves->frequency_ratio;
       band = band_from(centroid, std::sqrt(waves->mean_square), independent);
     } else {
-      auto amplitude = share_of(hump, densities, spectrum);
-      for (float& value : amplitude) value = std::sqrt(value);
-      const auto filtered = waves_of(transform, amplitude, spectrum.taper);
-      const auto share = share_of(hump, inner_densities, inner_rest);
-      const auto centroid =
-          centroid_of(inner_rest, [&](int row, int col) { return double(share(row, col)); });
-      band = band_from(centroid, root_mean_square(filtered, trusted), independent);
+      const Share share(hump, mixture);
+      const auto centroid = centroid_of(rest->inner, share.most_fx(), share.most_fy(), share);
+      const double rms = std::sqrt(mean_square(rest->transform, share, spectrum));
+      band = band_from(centroid, rms, independent);
     }
     if (band.rms * band.rms > options.least_share * total) result.push_back(band);
   }

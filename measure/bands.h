@@ -24,8 +24,8 @@ struct BandOptions {
   int most = 8;
 };
 
-/// The bands of a map, the strongest first: the hills of its power per octave and angle, smoothed
-/// as far as chance asks for and divided along the valleys between them.
+/// The bands of a map, the strongest first: the humps of its spectrum that its likelihood asks for,
+/// and of each the waves that are there.
 ///
 /// spectrum  of `map` inside `mask`
 /// returns   wavelength, direction and rms of what is there, not of a law that it was drawn from;

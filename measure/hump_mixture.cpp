@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "measure/half_plane.h"
+
 namespace hada {
 namespace {
 
@@ -23,6 +25,10 @@ constexpr int ground_count = 3;
 constexpr int most_rounds = 60;
 constexpr double longest_step = 0.7;  // of a logarithm or an angle, where the quadratic still holds
 constexpr double enough = 1e-3;       // of the deviance, far below what tells mixtures apart
+
+double log_frequency(double fx, double fy) {
+  return 0.5 * std::log(fx * fx + fy * fy);
+}
 
 /// The parameters of a mixture in a row: those of the humps, then those of the ground.
 Eigen::VectorXd packed(const HumpMixture& mixture) {
@@ -51,9 +57,10 @@ HumpMixture unpacked(const Eigen::VectorXd& x, const HumpMixture& like, const Hu
 }
 
 double deviance(const HumpMixture& mixture, const std::vector<SpectralPatch>& patches) {
+  const MixtureDensity density_at(mixture);
   double sum = 0.0;
   for (const SpectralPatch& patch : patches) {
-    const double density = mixture.density(patch.fx, patch.fy);
+    const double density = density_at(patch.fx, patch.fy);
     sum += patch.count * (patch.power / density + std::log(density));
   }
   return sum;
@@ -68,58 +75,59 @@ struct Score {
 Score score_of(const HumpMixture& mixture, const std::vector<SpectralPatch>& patches) {
   const auto count =
       Eigen::Index(SpectralHump::parameter_count * int(mixture.humps.size()) + ground_count);
-  Score score{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
-  Eigen::VectorXd row(count);
-  for (const SpectralPatch& patch : patches) {
-    const double log_f = std::log(std::hypot(patch.fx, patch.fy));
-    const double floor = std::exp(mixture.log_floor);
+  const std::vector<HumpDensity> humps(mixture.humps.begin(), mixture.humps.end());
+  const double floor = std::exp(mixture.log_floor);
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(count);
+  Eigen::MatrixXd columns(count, Eigen::Index(patches.size()));  // derivatives of log density
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const SpectralPatch& patch = patches[i];
+    auto column = columns.col(Eigen::Index(i));
+    const double log_f = log_frequency(patch.fx, patch.fy);
     const double fall = std::exp(mixture.log_fall - mixture.steepness * log_f);
     double density = floor + fall;
     Eigen::Index at = 0;
-    for (const SpectralHump& hump : mixture.humps) {
+    for (const HumpDensity& hump : humps) {
       SpectralHump::Parameters derivatives;
-      const double part = hump.density(patch.fx, patch.fy, derivatives);
-      for (const double derivative : derivatives) row[at++] = part * derivative;
+      const double part = hump(patch.fx, patch.fy, derivatives);
+      for (const double derivative : derivatives) column[at++] = part * derivative;
       density += part;
     }
-    row.tail<ground_count>() << floor, fall, -fall * log_f;
-    row /= density;
-    score.slope += patch.count * (patch.power / density - 1.0) * row;
-    score.information.selfadjointView<Eigen::Lower>().rankUpdate(row, patch.count);
+    column.tail<ground_count>() << floor, fall, -fall * log_f;
+    column /= density;
+    slope += patch.count * (patch.power / density - 1.0) * column;
+    column *= std::sqrt(patch.count);
   }
-  score.information = Eigen::MatrixXd(score.information.selfadjointView<Eigen::Lower>());
-  return score;
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+  information.selfadjointView<Eigen::Lower>().rankUpdate(columns);
+  information = Eigen::MatrixXd(information.selfadjointView<Eigen::Lower>());
+  return {slope, information};
 }
 
 }  // namespace
 
-std::vector<SpectralPatch> patches_of(const Spectrum& spectrum) {
+SpectralPatches patches_of(const Spectrum& spectrum) {
   const Extent& extent = spectrum.extent;
   const double least = least_waves / std::min(extent.width(), extent.height());
   const double most = most_of_sampling / extent.pitch;
   std::map<std::pair<int, int>, SpectralPatch> patches;
-  for (int row = 0; row < spectrum.power.rows(); ++row) {
-    const double fy = spectrum.fy(row);
-    for (int col = 0; col <= spectrum.power.cols() / 2; ++col) {
-      const double fx = spectrum.fx(col), f = std::hypot(fx, fy);
-      if (f < least || f > most || (fx == 0.0 && fy < 0.0) || !(spectrum.power(row, col) > 0.0))
-        continue;
-      SpectralPatch& patch = patches[{int(std::floor(std::log(f) / patch_growth)),
-                                      int(std::floor(std::atan2(fy, fx) / patch_angle))}];
-      patch.fx += fx;
-      patch.fy += fy;
-      patch.power += spectrum.power(row, col);
-      patch.count += 1.0;
-    }
-  }
-  std::vector<SpectralPatch> result;
+  visit_half_plane(spectrum, most, most, [&](int row, int col, double fx, double fy, int) {
+    const double f = std::hypot(fx, fy), power = spectrum.power(row, col);
+    if (f < least || f > most || (fx == 0.0 && fy < 0.0) || !(power > 0.0)) return;
+    SpectralPatch& patch = patches[{int(std::floor(std::log(f) / patch_growth)),
+                                    int(std::floor(std::atan2(fy, fx) / patch_angle))}];
+    patch.fx += fx;
+    patch.fy += fy;
+    patch.power += power;
+    patch.count += 1.0;
+  });
+  SpectralPatches result{{}, extent, spectrum.independence};
   double highest = 0.0;
   for (auto& [place, patch] : patches) {
-    result.push_back(
+    result.all.push_back(
         {patch.fx / patch.count, patch.fy / patch.count, patch.power / patch.count, patch.count});
-    highest = std::max(highest, result.back().power);
+    highest = std::max(highest, result.all.back().power);
   }
-  for (SpectralPatch& patch : result) patch.power += faintest * highest;
+  for (SpectralPatch& patch : result.all) patch.power += faintest * highest;
   return result;
 }
 
@@ -127,9 +135,15 @@ double HumpMixture::ground(double f) const {
   return std::exp(log_floor) + std::exp(log_fall - steepness * std::log(f));
 }
 
-double HumpMixture::density(double fx, double fy) const {
-  double sum = ground(std::hypot(fx, fy));
-  for (const SpectralHump& hump : humps) sum += hump.density(fx, fy);
+MixtureDensity::MixtureDensity(const HumpMixture& mixture)
+    : floor_(std::exp(mixture.log_floor)),
+      log_fall_(mixture.log_fall),
+      steepness_(mixture.steepness),
+      humps_(mixture.humps.begin(), mixture.humps.end()) {}
+
+double MixtureDensity::operator()(double fx, double fy) const {
+  double sum = floor_ + std::exp(log_fall_ - steepness_ * log_frequency(fx, fy));
+  for (const HumpDensity& hump : humps_) sum += hump(fx, fy);
   return sum;
 }
 

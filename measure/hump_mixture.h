@@ -14,10 +14,16 @@ struct SpectralPatch {
   double count = 0.0;         // ordinates; f and -f count once
 };
 
+struct SpectralPatches {
+  std::vector<SpectralPatch> all;
+  Extent extent;              // of the map
+  double independence = 1.0;  // the part of the ordinates that are independent witnesses
+};
+
 /// The half plane of a spectrum in patches of 4 % of the frequency and 4 degrees; near 0 an
 /// ordinate each. Left out are the waves that hardly fit into the map once, and those near the
 /// Nyquist frequency.
-std::vector<SpectralPatch> patches_of(const Spectrum& spectrum);
+SpectralPatches patches_of(const Spectrum& spectrum);
 
 /// A spectrum as a sum: humps, over white noise and a power of the frequency.
 struct HumpMixture {
@@ -27,7 +33,17 @@ struct HumpMixture {
   double steepness = 2.0;  // of the power law: it goes with frequency to the minus this
 
   double ground(double f) const;  // what is no hump, unit^4; f > 0
-  double density(double fx, double fy) const;
+};
+
+/// The density of a mixture that is asked at many places, unit^4; not at frequency 0.
+class MixtureDensity {
+ public:
+  explicit MixtureDensity(const HumpMixture& mixture);
+  double operator()(double fx, double fy) const;
+
+ private:
+  double floor_, log_fall_, steepness_;
+  std::vector<HumpDensity> humps_;
 };
 
 /// Bounds of what a map of that size and pitch can tell.

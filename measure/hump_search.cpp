@@ -41,9 +41,10 @@ struct Rise {
 Rise rise_of(SpectralHump hump, const std::vector<SpectralPatch>& patches,
              const std::vector<double>& expected) {
   constexpr double least_variance = 1e-3;  // of the step: a hump must have some to begin with
+  const HumpDensity density(hump);
   double slope = 0.0, information = 1e-300;
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const double share = hump.density(patches[i].fx, patches[i].fy) / expected[i];
+    const double share = density(patches[i].fx, patches[i].fy) / expected[i];
     slope += patches[i].count * share * (patches[i].power / expected[i] - 1.0);
     information += patches[i].count * share * share;
   }
@@ -55,9 +56,9 @@ Rise rise_of(SpectralHump hump, const std::vector<SpectralPatch>& patches,
 // The mixture with one hump more that is likeliest.
 HumpFit with_another(const HumpMixture& mixture, const std::vector<SpectralPatch>& patches,
                      const HumpBounds& bounds) {
+  const MixtureDensity density(mixture);
   std::vector<double> expected;
-  for (const SpectralPatch& patch : patches)
-    expected.push_back(mixture.density(patch.fx, patch.fy));
+  for (const SpectralPatch& patch : patches) expected.push_back(density(patch.fx, patch.fy));
   std::vector<Rise> rises;
   for (const SpectralHump& hump : candidates(bounds))
     rises.push_back(rise_of(hump, patches, expected));
@@ -92,19 +93,18 @@ HumpMixture ground_of(const std::vector<SpectralPatch>& patches) {
 
 }  // namespace
 
-HumpMixture humps_of(const Spectrum& spectrum, int most) {
-  const auto patches = patches_of(spectrum);
-  if (patches.empty()) return {};
-  const HumpBounds bounds = hump_bounds(spectrum.extent);
+HumpMixture humps_of(const SpectralPatches& patches, int most) {
+  if (patches.all.empty()) return {};
+  const HumpBounds bounds = hump_bounds(patches.extent);
   double ordinates = 0.0;
-  for (const SpectralPatch& patch : patches) ordinates += patch.count;
-  HumpFit best = fitted(ground_of(patches), patches, bounds);
+  for (const SpectralPatch& patch : patches.all) ordinates += patch.count;
+  HumpFit best = fitted(ground_of(patches.all), patches.all, bounds);
   while (int(best.mixture.humps.size()) < most) {
-    const HumpFit more = with_another(best.mixture, patches, bounds);
+    const HumpFit more = with_another(best.mixture, patches.all, bounds);
     const double price = 0.5 * more.mixture.humps.back().degrees_of_freedom() *
-                         std::log(std::max(ordinates * spectrum.independence, 2.0));
+                         std::log(std::max(ordinates * patches.independence, 2.0));
     // Neighbouring ordinates of a tapered map are no independent witnesses.
-    if (!(spectrum.independence * (best.deviance - more.deviance) > price)) break;
+    if (!(patches.independence * (best.deviance - more.deviance) > price)) break;
     best = more;
   }
   return best.mixture;

@@ -23,7 +23,7 @@ struct SpectralHump {
 
   /// unit^2 per (cycle / unit)^2
   double density(double fx, double fy) const;
-  /// The same, and its derivatives by the five parameters in their order over it.
+  /// The same, and the derivatives of its logarithm by the five parameters in their order.
   double density(double fx, double fy, Parameters& log_derivatives) const;
 
   Parameters parameters() const {
@@ -34,6 +34,29 @@ struct SpectralHump {
   }
   /// Of the five those that are its own.
   int degrees_of_freedom() const { return ring ? 3 : parameter_count; }
+};
+
+/// A hump that is asked at many places: what they have in common is worked out once.
+class HumpDensity {
+ public:
+  explicit HumpDensity(const SpectralHump& hump);
+
+  /// As those of `SpectralHump`.
+  double operator()(double fx, double fy) const;
+  double operator()(double fx, double fy, SpectralHump::Parameters& log_derivatives) const;
+
+  /// How far from 0 along an axis, 0 for x and 1 for y, the hump reaches up to so many widths.
+  double reach(int axis, double widths) const;
+
+ private:
+  struct Place;
+  Place place(double fx, double fy) const;
+  double at(const Place& place) const;
+
+  bool ring_;
+  double x_, y_;                       // the direction
+  double frequency_, along_, across_;  // the middle and the widths
+  double top_;
 };
 
 }  // namespace hada

@@ -88,6 +88,27 @@ TEST(Bands, KeepToWhatIsThereInAPureWave) {
   EXPECT_NEAR(found[0].rms, 0.3 / std::sqrt(2.0), 0.003);
 }
 
+TEST(Bands, OfAFlatMapAreNone) {
+  for (const float level : {0.0f, 0.1f, -1234.5f})
+    EXPECT_TRUE(bands_of(Grid<float>(extent.rows, extent.cols, level)).empty()) << level;
+}
+
+TEST(Bands, AreTheSameInAnyUnit) {
+  const auto map = map_of({{16.0, 0.6, 0.4, 0.12}, {3.0, 2.5, 0.1, 0.12}}, 6);
+  const auto found = bands_of(map);
+  constexpr double smaller = 1e-9;  // heights in nm, told in m
+  Grid<float> small = map;
+  for (float& height : small) height *= float(smaller);
+  const Mask mask(map.rows(), map.cols(), 1);
+  const Extent there{extent.rows, extent.cols, smaller * extent.pitch, extent.unit};
+  const auto found_there = bands(power_spectrum(small, mask, there), small, mask);
+  ASSERT_EQ(found.size(), found_there.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_NEAR(found_there[k].wavelength / found[k].wavelength / smaller, 1.0, 1e-3);
+    EXPECT_NEAR(found_there[k].rms / found[k].rms / smaller, 1.0, 1e-3);
+  }
+}
+
 TEST(Bands, AreTheSameAtAnyThreadCount) {
   const auto map = map_of({{16.0, 0.6, 0.4, 0.12}, {6.0, 2.5, 0.1, 0.12}}, 4);
   set_threads(1);

@@ -22,15 +22,14 @@ HumpMixture two_waves() {
 }
 
 Spectrum spectrum_of_field(const HumpMixture& mixture, Seed seed) {
-  const auto field =
-      gaussian_field([&](double fx, double fy) { return mixture.density(fx, fy); },
-                     {2 * extent.rows, 2 * extent.cols, extent.pitch, extent.unit}, seed);
+  const auto field = gaussian_field(
+      MixtureDensity(mixture), {2 * extent.rows, 2 * extent.cols, extent.pitch, extent.unit}, seed);
   return power_spectrum(crop(field, 30, 50, extent.rows, extent.cols), full_mask(extent), extent,
                         {.taper = 1.0});
 }
 
 TEST(SpectralPatches, HoldEveryOrdinateOfTheHalfPlaneOnce) {
-  const auto patches = patches_of(spectrum_of_field(two_waves(), 1));
+  const auto patches = patches_of(spectrum_of_field(two_waves(), 1)).all;
   double ordinates = 0.0;
   for (const SpectralPatch& patch : patches) {
     const double f = std::hypot(patch.fx, patch.fy);
@@ -56,7 +55,7 @@ TEST(HumpMixture, IsFoundAgainFromNearby) {
     hump.direction += 0.1;
   }
   const auto spectrum = spectrum_of_field(truth, 2);
-  const auto fit = fitted(start, patches_of(spectrum), hump_bounds(spectrum.extent));
+  const auto fit = fitted(start, patches_of(spectrum).all, hump_bounds(spectrum.extent));
   for (std::size_t k = 0; k < 2; ++k) {
     const auto &found = fit.mixture.humps[k], &there = truth.humps[k];
     // Half of 120 x 100 mm2 times the hump's area holds some 30 and 200 waves, of which a taper
@@ -69,7 +68,7 @@ TEST(HumpMixture, IsFoundAgainFromNearby) {
 
 TEST(HumpMixture, GetsLikelierByEveryFit) {
   const auto spectrum = spectrum_of_field(two_waves(), 3);
-  const auto patches = patches_of(spectrum);
+  const auto patches = patches_of(spectrum).all;
   HumpMixture poor = two_waves();
   poor.humps[0].direction += 0.4;
   const auto once = fitted(poor, patches, hump_bounds(spectrum.extent));

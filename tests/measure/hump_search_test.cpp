@@ -18,8 +18,8 @@ template <class Psd>
 HumpMixture found_in(const Psd& psd, Seed seed) {
   const auto field =
       gaussian_field(psd, {2 * extent.rows, 2 * extent.cols, extent.pitch, extent.unit}, seed);
-  return humps_of(power_spectrum(crop(field, 100, 60, extent.rows, extent.cols), full_mask(extent),
-                                 extent, {.taper = 1.0}),
+  return humps_of(patches_of(power_spectrum(crop(field, 100, 60, extent.rows, extent.cols),
+                                            full_mask(extent), extent, {.taper = 1.0})),
                   8);
 }
 
@@ -31,7 +31,7 @@ TEST(HumpSearch, SeesWavesOnTheSlopeOfStrongerOnes) {
   truth.log_floor = std::log(1e-7);
   truth.log_fall = -30.0;
   for (const Seed seed : {1, 2, 3}) {
-    auto found = found_in([&](double fx, double fy) { return truth.density(fx, fy); }, seed).humps;
+    auto found = found_in(MixtureDensity(truth), seed).humps;
     ASSERT_GE(found.size(), 2u) << seed;
     std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return a.log_variance > b.log_variance; });

@@ -1,5 +1,6 @@
 #include "measure/spectral_hump.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,22 @@ TEST(SpectralHump, IsTheSameAtBothSidesOfZero) {
   EXPECT_DOUBLE_EQ(waves.density(0.11, 0.13), waves.density(-0.11, -0.13));
   EXPECT_GT(waves.density(0.2 * std::cos(0.7), 0.2 * std::sin(0.7)), waves.density(0.2, 0.0));
   EXPECT_DOUBLE_EQ(ring.density(0.2, 0.0), ring.density(0.0, -0.2));
+}
+
+TEST(SpectralHump, IsFaintBeyondItsReach) {
+  for (const SpectralHump& hump : {waves, ring}) {
+    const HumpDensity density(hump);
+    const double top = hump.density(0.2 * std::cos(0.7), 0.2 * std::sin(0.7));
+    double largest[2] = {0.0, 0.0};  // share of the top, on the border of the reach
+    for (double f = -0.5; f < 0.5; f += 0.001) {
+      largest[0] = std::max(largest[0], density(density.reach(0, 3.0), f) / top);
+      largest[1] = std::max(largest[1], density(f, density.reach(1, 3.0)) / top);
+    }
+    for (const double share : largest) {
+      EXPECT_LT(share, std::exp(-0.5 * 9.0) * 1.001);
+      EXPECT_GT(share, std::exp(-0.5 * 25.0));  // and not far beyond
+    }
+  }
 }
 
 TEST(SpectralHump, HasTheDerivativesOfItsLogarithm) {
