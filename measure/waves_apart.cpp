@@ -5,19 +5,19 @@
 #include <cstddef>
 #include <numbers>
 #include <utility>
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "core/bounding_box.h"
 #include "core/fft.h"
+#include "core/parallel.h"
+#include "measure/coarse_map.h"
+#include "measure/cubic.h"
+#include "measure/response.h"
 
 namespace hada {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int steps_across = 128;      // of the coarse map
-constexpr int fewest_steps = 16;       // over the shorter side
 constexpr double least_steps = 8.0;    // in a wave, so that the means over blocks tell it
 constexpr double widening = 1.3;       // of the plane, so that opposite borders are no neighbours
 constexpr double noise_share = 0.02;   // of the deviation of the map: what need not be explained
@@ -25,68 +25,20 @@ constexpr double level_share = 100.0;  // of the variance: how far the mean may 
 constexpr int most_rounds = 1500;
 constexpr double enough = 1e-4;  // of the map: what is left of it
 
-/// Means over square blocks.
-struct CoarseMap {
-  PixelBox box;  // of the map that it covers
-  int block = 1;
-  Grid<double> height;  // about its mean; 0 outside the mask
-  Mask mask;
-  double pitch = 0.0;
-  double variance = 0.0;
-};
-
-CoarseMap coarse_map(const Grid<float>& map, const Mask& mask, double pitch) {
-  const PixelBox box = bounding_box(mask);
-  const int longer = std::max(box.rows, box.cols), shorter = std::min(box.rows, box.cols);
-  const int block =
-      std::max(1, std::min((longer + steps_across - 1) / steps_across, shorter / fewest_steps));
-  const int rows = (box.rows + block - 1) / block, cols = (box.cols + block - 1) / block;
-  CoarseMap coarse{box, block, Grid<double>(rows, cols), Mask(rows, cols, 0), block * pitch};
-  double sum = 0.0, count = 0.0;
-  for (int row = 0; row < rows; ++row) {
-    for (int col = 0; col < cols; ++col) {
-      double inside = 0.0, pixels = 0.0;
-      for (int y = row * block; y < std::min((row + 1) * block, box.rows); ++y) {
-        for (int x = col * block; x < std::min((col + 1) * block, box.cols); ++x) {
-          if (!mask(box.row + y, box.col + x)) continue;
-          inside += map(box.row + y, box.col + x);
-          pixels += 1.0;
-        }
-      }
-      if (2.0 * pixels < double(block) * block) continue;
-      coarse.mask(row, col) = 1;
-      coarse.height(row, col) = inside / pixels;
-      sum += coarse.height(row, col);
-      count += 1.0;
-    }
-  }
-  for (std::size_t i = 0; i < coarse.mask.size(); ++i) {
-    if (!coarse.mask[i]) continue;
-    coarse.height[i] -= sum / count;
-    coarse.variance += coarse.height[i] * coarse.height[i] / count;
-  }
-  return coarse;
-}
-
 // Whether a spectrum of the coarse map can be taken: not of a mask that is holes all over.
 bool is_wide(const Mask& mask) {
-  constexpr int least = 8;
   if (std::find(mask.begin(), mask.end(), 1) == mask.end()) return false;
   const PixelBox box = bounding_box(mask);
-  return std::min(box.rows, box.cols) >= least;
-}
-
-double sinc(double x) {
-  return std::abs(x) < 1e-9 ? 1.0 : std::sin(pi * x) / (pi * x);
+  return std::min(box.rows, box.cols) >= fewest_spectrum_pixels;
 }
 
 /// The half plane of frequencies of a plane wider than the map.
 class Plane {
  public:
-  Plane(const CoarseMap& coarse)
+  explicit Plane(const CoarseMap& coarse)
       : pitch_(coarse.pitch),
-        rows_(cv::getOptimalDFTSize(int(widening * coarse.mask.rows()))),
-        cols_(2 * cv::getOptimalDFTSize((int(widening * coarse.mask.cols()) + 1) / 2)) {}
+        rows_(fast_length(int(widening * coarse.mask.rows()))),
+        cols_(2 * fast_length((int(widening * coarse.mask.cols()) + 1) / 2)) {}
 
   double size() const { return double(rows_) * cols_; }
   double longest() const { return std::max(rows_, cols_) * pitch_; }
@@ -107,7 +59,7 @@ class Plane {
   }
 
   /// What blocks let through of waves.
-  double blocks(double fx, double fy) const { return sinc(fx * pitch_) * sinc(fy * pitch_); }
+  double blocks(double fx, double fy) const { return mean_amplitude(fx, fy, pitch_); }
 
   /// How often the ordinate counts in a sum over the whole plane.
   double times(std::size_t i) const {
@@ -160,25 +112,34 @@ double dot(const Grid<double>& a, const Grid<double>& b) {
   return sum;
 }
 
-// The weights x for which (covariance + noise) x is the map, on the mask.
+// The weights x for which (covariance + noise) x is the map, on the mask. They are sought by
+// conjugate gradients, with what would solve it on the whole plane in front: without, the long
+// waves take thousands of rounds.
 Grid<double> solved(const Plane& plane, const Grid<double>& covariance, double noise,
                     const CoarseMap& coarse) {
+  Grid<double> inverse = covariance;
+  for (double& value : inverse) value = 1.0 / (value + noise);
+  const auto eased = [&](const Grid<double>& map) {
+    return plane.map_of(plane.transform(map), inverse, coarse.mask);
+  };
   Grid<double> x(coarse.mask.rows(), coarse.mask.cols());
-  Grid<double> rest = coarse.height, direction = rest;
-  double square = dot(rest, rest);
-  const double aim = enough * enough * square;
-  for (int round = 0; round < most_rounds && square > aim; ++round) {
+  Grid<double> rest = coarse.height, direction = eased(rest);
+  double slope = dot(rest, direction);
+  const double aim = enough * enough * dot(rest, rest);
+  for (int round = 0; round < most_rounds; ++round) {
     auto image = plane.map_of(plane.transform(direction), covariance, coarse.mask);
     for (std::size_t i = 0; i < image.size(); ++i) image[i] += noise * direction[i];
-    const double step = square / dot(direction, image);
+    const double step = slope / dot(direction, image);
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] += step * direction[i];
       rest[i] -= step * image[i];
     }
-    const double left = dot(rest, rest);
+    if (dot(rest, rest) < aim) break;
+    const auto next = eased(rest);
+    const double slope_there = dot(rest, next);
     for (std::size_t i = 0; i < x.size(); ++i)
-      direction[i] = rest[i] + left / square * direction[i];
-    square = left;
+      direction[i] = next[i] + slope_there / slope * direction[i];
+    slope = slope_there;
   }
   return x;
 }
@@ -222,29 +183,48 @@ Waves described(const Plane& plane, const Grid<std::complex<double>>& waves,
   return result;
 }
 
+// Of all pixels along a side.
+std::vector<Cubic> cubics(int pixels, double steps_in_pixel, int steps) {
+  std::vector<Cubic> all;
+  for (int i = 0; i < pixels; ++i) all.push_back(cubic_at((i + 0.5) * steps_in_pixel - 0.5, steps));
+  return all;
+}
+
 // Takes the waves with that transform from the map that they are a part of.
 void take_off(const Plane& plane, const Grid<std::complex<double>>& waves, const CoarseMap& coarse,
               Grid<float>& map) {
-  // Steps so fine that a cubic between them is exact to 1e-4; whole ones, as far as they go.
-  constexpr int finer = 4;
-  const auto steps = plane.map_of(waves, coarse.mask, std::min(finer, coarse.block));
-  const cv::Mat known(steps.rows(), steps.cols(), CV_64F, const_cast<double*>(steps.data()));
-  cv::Mat fine;
-  cv::resize(known, fine, {coarse.mask.cols() * coarse.block, coarse.mask.rows() * coarse.block},
-             0.0, 0.0, cv::INTER_CUBIC);
-  for (int row = 0; row < coarse.box.rows; ++row) {
-    for (int col = 0; col < coarse.box.cols; ++col)
-      map(coarse.box.row + row, coarse.box.col + col) -= float(fine.at<double>(row, col));
-  }
+  // 32 steps in the shortest wave: a cubic errs by (2 pi / 32)^4 9 / 384 = 4e-5 of it at most.
+  constexpr int most_finer = 4;
+  const int finer = std::min(most_finer, coarse.block);
+  const auto steps = plane.map_of(waves, coarse.mask, finer);
+  const double steps_in_pixel = double(finer) / coarse.block;
+  const auto down = cubics(coarse.box.rows, steps_in_pixel, steps.rows());
+  const auto across = cubics(coarse.box.cols, steps_in_pixel, steps.cols());
+  for_each_index(coarse.box.rows, [&](int row) {
+    const auto& [top, weight] = down[std::size_t(row)];
+    std::vector<double> line(std::size_t(steps.cols()));
+    for (int k = 0; k < 4; ++k) {
+      for (int col = 0; col < steps.cols(); ++col)
+        line[std::size_t(col)] += weight[std::size_t(k)] * steps(top + k, col);
+    }
+    for (int col = 0; col < coarse.box.cols; ++col) {
+      const Cubic& cubic = across[std::size_t(col)];
+      const double* from = line.data() + cubic.first;
+      map(coarse.box.row + row, coarse.box.col + col) -=
+          float(cubic.weight[0] * from[0] + cubic.weight[1] * from[1] + cubic.weight[2] * from[2] +
+                cubic.weight[3] * from[3]);
+    }
+  });
 }
 
 // The spectrum that means over blocks have, and the mean a wide one.
 Grid<double> covariance_of(const HumpMixture& mixture, const Plane& plane, double variance) {
+  const std::vector<HumpDensity> humps(mixture.humps.begin(), mixture.humps.end());
   auto covariance = plane.filled([&](double fx, double fy) {
     // A power law has no power at 0; below one wave over the plane it rises no further.
     const double f = std::max(std::hypot(fx, fy), 1.0 / plane.longest());
     double density = mixture.ground(f);
-    for (const SpectralHump& hump : mixture.humps) density += hump.density(fx, fy);
+    for (const HumpDensity& hump : humps) density += hump(fx, fy);
     return density * std::pow(plane.blocks(fx, fy), 2) / plane.area();
   });
   covariance(0, 0) = level_share * variance * plane.size();
@@ -272,11 +252,11 @@ WavesApart waves_apart(const Grid<float>& map, const Mask& mask, const Extent& e
   const auto weights = plane.transform(solved(plane, covariance, noise, coarse));
   Grid<std::complex<double>> taken(weights.rows(), weights.cols());
   for (std::size_t k = 0; k < mixture.humps.size(); ++k) {
-    const SpectralHump& hump = mixture.humps[k];
-    if (!is_long(hump)) continue;
-    const auto prior = plane.filled([&](double fx, double fy) { return hump.density(fx, fy); });
+    if (!is_long(mixture.humps[k])) continue;
+    const HumpDensity hump(mixture.humps[k]);
+    const auto prior = plane.filled(hump);
     auto told = plane.filled([&](double fx, double fy) {
-      return hump.density(fx, fy) * std::pow(plane.blocks(fx, fy), 2) / plane.area();
+      return hump(fx, fy) * std::pow(plane.blocks(fx, fy), 2) / plane.area();
     });
     for (std::size_t i = 0; i < told.size(); ++i) told[i] /= covariance[i] + noise;
     const auto waves = waves_of(plane, weights, prior);
