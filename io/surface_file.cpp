@@ -157,9 +157,13 @@ std::set<std::string> read_description(const fs::path& path, Surface& surface) {
   return maps;
 }
 
-Surface read_folder(const fs::path& folder) {
+Surface read_folder(const fs::path& folder, SurfaceMaps wanted) {
   Surface surface;
-  const auto maps = read_description(folder / "surface.json", surface);
+  auto maps = read_description(folder / "surface.json", surface);
+  if (wanted == SurfaceMaps::height_alone && maps.contains("height.exr")) {
+    std::erase_if(maps,
+                  [](const auto& name) { return name != "mask.png" && name != "height.exr"; });
+  }
   surface.mask = full_mask(surface.extent);
   const auto has = [&](const char* name) { return maps.contains(name); };
   if (has("mask.png")) {
@@ -175,17 +179,17 @@ Surface read_folder(const fs::path& folder) {
   surface.height_sigma = plane("height_sigma.exr");
   if (has("albedo.exr")) surface.albedo = map_of(folder / "albedo.exr", surface, 0);
   if (has("normal.exr")) surface.normals = normals_from(folder / "normal.exr", surface);
-  if (surface.normals.empty() && surface.has_height()) {
+  if (wanted == SurfaceMaps::all && surface.normals.empty() && surface.has_height()) {
     surface.normals = normals_of(surface.height, surface.mask, surface.extent.pitch);
   }
-  if (surface.normals.empty() && surface.albedo.empty()) {
+  if (!surface.has_height() && surface.normals.empty() && surface.albedo.empty()) {
     throw Error(folder.string() + ": has neither height.exr nor normal.exr nor albedo.exr; " +
                 "make the surface again");
   }
   return surface;
 }
 
-Surface read_single(const fs::path& path, double pitch, Unit unit) {
+Surface read_single(const fs::path& path, double pitch, Unit unit, SurfaceMaps wanted) {
   ImageFile file = read_image(path);
   Surface surface;
   surface.extent = {file.image.rows(), file.image.cols(), pitch, unit};
@@ -202,7 +206,8 @@ Surface read_single(const fs::path& path, double pitch, Unit unit) {
   if (file.floating && file.image.channels() == 1) {
     surface.height = std::move(file.image.planes.front());
     level_to_zero_mean(surface.height, surface.mask);
-    surface.normals = normals_of(surface.height, surface.mask, pitch);
+    if (wanted == SurfaceMaps::all)
+      surface.normals = normals_of(surface.height, surface.mask, pitch);
     return surface;
   }
   if (!file.floating && file.bits <= 8) {
@@ -264,19 +269,19 @@ void write_surface(Output& output, const std::string& folder, const Surface& sur
   if (!stream) throw Error(description.string() + ": cannot be written; check the free space");
 }
 
-Surface read_surface(const fs::path& path, std::optional<double> pitch_mm) {
+Surface read_surface(const fs::path& path, std::optional<double> pitch_mm, SurfaceMaps maps) {
   if (pitch_mm && !(*pitch_mm > 0.0 && std::isfinite(*pitch_mm))) {
     throw Error(path.string() + ": the pitch must be larger than 0 mm");
   }
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) {
-    return read_single(path, pitch_mm.value_or(1.0), pitch_mm ? Unit::mm : Unit::px);
+    return read_single(path, pitch_mm.value_or(1.0), pitch_mm ? Unit::mm : Unit::px, maps);
   }
   if (!fs::exists(path / "surface.json", ignored)) {
     throw Error(path.string() + ": is a folder without surface.json; name a surface folder, " +
                 "a height map or a picture");
   }
-  Surface surface = read_folder(path);
+  Surface surface = read_folder(path, maps);
   if (pitch_mm) change_pitch(surface, *pitch_mm);
   return surface;
 }

@@ -75,7 +75,8 @@ void tell(const Measurement& m, const Terminal& terminal) {
 
 void measure_command(const MeasureArguments& arguments, const Terminal& terminal) {
   terminal.step("reading " + arguments.input.string());
-  const Surface surface = read_surface(arguments.input, arguments.pitch_mm);
+  const Surface surface =
+      read_surface(arguments.input, arguments.pitch_mm, SurfaceMaps::height_alone);
   terminal.step("measuring the spectrum");
   const Measurement measurement = measure(surface);
   const std::string text = measurement_text(measurement);

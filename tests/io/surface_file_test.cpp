@@ -50,6 +50,23 @@ bool equal_inside(const Grid<T>& a, const Grid<T>& b, const Mask& mask) {
   return a.same_size(b);
 }
 
+TEST(SurfaceFile, ReturnsTheHeightAloneWhereThatIsAskedFor) {
+  const TemporaryFolder folder;
+  Surface surface = dome();
+  write(folder / "s", surface);
+  const Surface again = read_surface(folder / "s", {}, SurfaceMaps::height_alone);
+  EXPECT_EQ(again.mask, surface.mask);
+  EXPECT_TRUE(equal_inside(again.height, surface.height, surface.mask));
+  EXPECT_TRUE(again.normals.empty() && again.albedo.empty() && again.height_sigma.empty());
+  const Surface map =
+      read_surface(folder / "s" / "height.exr", surface.extent.pitch, SurfaceMaps::height_alone);
+  EXPECT_TRUE(map.has_height() && map.normals.empty());
+  // Where there is none, the rest is read.
+  surface.height = {};
+  write(folder / "flat", surface);
+  EXPECT_FALSE(read_surface(folder / "flat", {}, SurfaceMaps::height_alone).albedo.empty());
+}
+
 TEST(SurfaceFile, ReturnsEveryMapThatWasWritten) {
   const TemporaryFolder folder;
   const Surface surface = dome();
