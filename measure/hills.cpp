@@ -102,9 +102,10 @@ struct Pass {
   Index beyond = 0;  // which hill; the same one where there is no way
 };
 
-// Of several hills at one pixel the way leads to the highest.
+// Of several hills at one pixel the way leads to the highest. Borders that are none any longer are
+// left out from then on.
 std::vector<Pass> highest_passes(const Hills& hills, const Ground& ground,
-                                 const std::vector<Index>& borders) {
+                                 std::vector<Index>& borders) {
   std::vector<Pass> passes(hills.summits.size());
   for (Index hill = 0; hill < passes.size(); ++hill) passes[hill].beyond = hill;
   const auto offer = [&](Index hill, Index pixel, Index beyond) {
@@ -113,12 +114,15 @@ std::vector<Pass> highest_passes(const Hills& hills, const Ground& ground,
         (pixel == pass.pixel && ground.before(hills.summits[beyond], hills.summits[pass.beyond])))
       pass = {pixel, beyond};
   };
-  for (const Index pixel : borders) {
+  std::erase_if(borders, [&](Index pixel) {
+    bool is_border = false;
     visit_passes(hills, ground, pixel, [&](Index there) {
+      is_border = true;
       offer(hills.of_pixel[pixel], pixel, there);
       offer(there, pixel, hills.of_pixel[pixel]);
     });
-  }
+    return !is_border;
+  });
   return passes;
 }
 
@@ -127,7 +131,8 @@ std::vector<Pass> highest_passes(const Hills& hills, const Ground& ground,
 int hill_count(const Grid<float>& height, const Mask& mask, double least_rise) {
   const Ground ground(height, mask);
   Hills hills = single_hills(ground);
-  std::vector<Index> borders;  // pixels that passes lead through
+  std::vector<Index> borders;  // pixels that passes may lead through
+  borders.reserve(ground.size());
   for (Index pixel = 0; pixel < ground.size(); ++pixel) {
     if (ground.counts(pixel)) borders.push_back(pixel);
   }
@@ -135,11 +140,6 @@ int hill_count(const Grid<float>& height, const Mask& mask, double least_rise) {
   // A hill ends at its highest pass if that leads to a higher one, in whichever order they join.
   for (bool joined = true; joined;) {
     joined = false;
-    std::erase_if(borders, [&](Index pixel) {
-      bool is_pass = false;
-      visit_passes(hills, ground, pixel, [&](Index) { is_pass = true; });
-      return !is_pass;
-    });
     const auto passes = highest_passes(hills, ground, borders);
     std::vector<Index> links(hills.summits.size());
     for (Index hill = 0; hill < links.size(); ++hill) {
