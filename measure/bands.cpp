@@ -173,7 +173,7 @@ std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const 
   total /= spectrum.extent.width() * spectrum.extent.height();
   if (!is_rough(map, mask, total)) return {};
   const auto patches = patches_of(inner_spectrum(map, mask, extent));
-  const HumpMixture mixture = humps_of(patches, options.most);
+  const HumpMixture mixture = without_flanks(humps_of(patches, options.most), patches.all);
   const auto apart = waves_apart(map, mask, extent, mixture);
   std::optional<Rest> rest;
   if (!std::all_of(apart.of_hump.begin(), apart.of_hump.end(),

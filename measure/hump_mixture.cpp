@@ -147,6 +147,32 @@ double MixtureDensity::operator()(double fx, double fy) const {
   return sum;
 }
 
+double prominence(const SpectralHump& hump, const HumpMixture& mixture,
+                  const std::vector<SpectralPatch>& patches) {
+  const HumpDensity own(hump);
+  const MixtureDensity all(mixture);
+  double power = 0.0, standing_out = 0.0;
+  for (const SpectralPatch& patch : patches) {
+    const double density = own(patch.fx, patch.fy);
+    power += patch.count * density;
+    standing_out += patch.count * density * density / all(patch.fx, patch.fy);
+  }
+  return power > 0.0 ? standing_out / power : 0.0;
+}
+
+HumpMixture without_flanks(HumpMixture mixture, const std::vector<SpectralPatch>& patches) {
+  constexpr double least_prominence = 0.5;  // below it more of the waves there are those of others
+  while (!mixture.humps.empty()) {
+    std::vector<double> all;
+    for (const SpectralHump& hump : mixture.humps)
+      all.push_back(prominence(hump, mixture, patches));
+    const auto least = std::min_element(all.begin(), all.end());
+    if (!(*least < least_prominence)) break;
+    mixture.humps.erase(mixture.humps.begin() + (least - all.begin()));
+  }
+  return mixture;
+}
+
 HumpBounds hump_bounds(const Extent& extent) {
   const double longest = longest_share * std::max(extent.width(), extent.height());
   constexpr double any = 1e3;  // a logarithm or an angle that nothing reaches

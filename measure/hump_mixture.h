@@ -46,6 +46,15 @@ class MixtureDensity {
   std::vector<HumpDensity> humps_;
 };
 
+/// How much of a hump's waves is where nothing else is as strong: the mean over its power of its
+/// share in the density of the mixture, from near 0, on the flank of another, to 1, alone.
+double prominence(const SpectralHump& hump, const HumpMixture& mixture,
+                  const std::vector<SpectralPatch>& patches);
+
+/// The mixture without the humps that mend the shape of others: those of a prominence below a half,
+/// the least prominent first.
+HumpMixture without_flanks(HumpMixture mixture, const std::vector<SpectralPatch>& patches);
+
 /// Bounds of what a map of that size and pitch can tell.
 struct HumpBounds {
   SpectralHump::Parameters low, high;

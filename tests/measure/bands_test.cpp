@@ -88,6 +88,39 @@ TEST(Bands, KeepToWhatIsThereInAPureWave) {
   EXPECT_NEAR(found[0].rms, 0.3 / std::sqrt(2.0), 0.003);
 }
 
+// Kernels about frequency 0, as those of wrinkles, are not of the shape of humps: several humps
+// together make the hill of one.
+TEST(Bands, AreOneForEveryKernelOfAnotherShape) {
+  struct Kernel {
+    double amplitude, along, across, angle;
+
+    double density(double fx, double fy) const {
+      const double u = 2.0 * pi * along * (fx * std::cos(angle) + fy * std::sin(angle));
+      const double v = 2.0 * pi * across * (fy * std::cos(angle) - fx * std::sin(angle));
+      return amplitude * amplitude * 4.0 * pi * along * across * std::exp(-u * u - v * v);
+    }
+  };
+  const Kernel kernels[] = {{0.4, 9.0, 5.0, 0.3}, {0.1, 3.0, 1.6, 2.1}, {0.02, 1.0, 0.5, 1.1}};
+  const auto density = [&](double fx, double fy) {
+    double sum = 1e-8;
+    for (const Kernel& kernel : kernels) sum += kernel.density(fx, fy);
+    return sum;
+  };
+  const Extent sheet{.rows = 1200, .cols = 1200, .pitch = 0.15, .unit = Unit::mm};
+  for (const Seed seed : {1, 2}) {
+    const auto map = gaussian_field(density, sheet, seed);
+    const Mask mask(sheet.rows, sheet.cols, 1);
+    const auto found = bands(power_spectrum(map, mask, sheet), map, mask);
+    ASSERT_EQ(found.size(), 3u) << seed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Each is that of its kernel: they differ by factors of 4 and 5, and by 30 degrees or more.
+      EXPECT_NEAR(std::log2(found[k].rms / kernels[k].amplitude), 0.0, 1.0) << k;
+      const double across = kernels[k].angle + pi / 2;
+      EXPECT_NEAR(std::remainder(found[k].direction - across, pi), 0.0, pi / 12) << k;
+    }
+  }
+}
+
 TEST(Bands, OfAFlatMapAreNone) {
   for (const float level : {0.0f, 0.1f, -1234.5f})
     EXPECT_TRUE(bands_of(Grid<float>(extent.rows, extent.cols, level)).empty()) << level;

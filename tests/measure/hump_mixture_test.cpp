@@ -77,5 +77,33 @@ TEST(HumpMixture, GetsLikelierByEveryFit) {
   EXPECT_NEAR(again.deviance, once.deviance, 1.0);  // a nat tells nothing apart
 }
 
+TEST(HumpMixture, KeepsNoFlanksOfOtherHumps) {
+  const auto patches = patches_of(spectrum_of_field(two_waves(), 4)).all;
+  HumpMixture mixture = two_waves();
+  EXPECT_EQ(without_flanks(mixture, patches).humps.size(), 2u);
+  for (const SpectralHump& hump : mixture.humps)
+    EXPECT_GT(prominence(hump, mixture, patches), 0.9);  // far apart, over a ground of 1e-3
+  // A wider one of a hundredth of the power mends the flanks of the first: its waves lie below.
+  SpectralHump flank = mixture.humps[0];
+  flank.log_variance -= std::log(100.0);
+  flank.log_along += std::log(2.0);
+  flank.log_across += std::log(2.0);
+  mixture.humps.insert(mixture.humps.begin(), flank);
+  EXPECT_LT(prominence(flank, mixture, patches), 0.3);
+  const auto kept = without_flanks(mixture, patches).humps;
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].log_variance, two_waves().humps[0].log_variance);
+}
+
+TEST(HumpMixture, KeepsOneOfTwoThatAreOneHill) {
+  const auto patches = patches_of(spectrum_of_field(two_waves(), 5)).all;
+  HumpMixture mixture = two_waves();
+  mixture.humps.push_back(mixture.humps[0]);
+  mixture.humps.back().log_variance -= 0.1;
+  const auto kept = without_flanks(mixture, patches).humps;
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].log_variance, two_waves().humps[0].log_variance);
+}
+
 }  // namespace
 }  // namespace hada
