@@ -16,6 +16,7 @@
 #include "core/parallel.h"
 #include "measure/half_plane.h"
 #include "measure/hump_search.h"
+#include "measure/small_holes.h"
 #include "measure/waves_apart.h"
 
 namespace hada {
@@ -165,8 +166,11 @@ bool is_rough(const Grid<float>& map, const Mask& mask, double variance) {
 
 }  // namespace
 
-std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const Mask& mask,
-                        const BandOptions& options) {
+std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& torn_map,
+                        const Mask& torn_mask, const BandOptions& options) {
+  const auto filled = without_small_holes(torn_map, torn_mask);
+  const Grid<float>& map = filled ? filled->map : torn_map;
+  const Mask& mask = filled ? filled->mask : torn_mask;
   const Extent extent{map.rows(), map.cols(), spectrum.extent.pitch, spectrum.extent.unit};
   double total = 0.0;
   for (const double power : spectrum.power) total += power;

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/fft.h"
 #include "core/parallel.h"
+#include "measure/small_holes.h"
 
 namespace hada {
 namespace {
@@ -134,9 +135,13 @@ Grid<double> tapered(const Grid<float>& map, const PixelBox& box, const Grid<dou
   return product;
 }
 
-Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& extent,
+Spectrum power_spectrum(const Grid<float>& torn_map, const Mask& torn_mask, const Extent& extent,
                         const SpectrumOptions& options) {
-  assert(map.same_size(mask) && map.rows() == extent.rows && map.cols() == extent.cols);
+  assert(torn_map.same_size(torn_mask));
+  assert(torn_map.rows() == extent.rows && torn_map.cols() == extent.cols);
+  const auto filled = without_small_holes(torn_map, torn_mask);
+  const Grid<float>& map = filled ? filled->map : torn_map;
+  const Mask& mask = filled ? filled->mask : torn_mask;
   const PixelBox box = bounding_box(mask);
   if (std::min(box.rows, box.cols) < fewest_spectrum_pixels) {
     throw Error("spectrum: the mask is smaller than 8 x 8 pixels; measure a larger sample");

@@ -32,9 +32,10 @@ struct SpectrumOptions {
 
 /// The periodogram of `map` inside `mask`, its weighted mean taken off first.
 ///
-/// The taper is the product of a Tukey window over the bounding box of the mask and, for a mask
-/// with an irregular border or holes, of a smooth fall-off towards its edge. Normalised so that the
-/// sum of the power over all frequencies, divided by the area, is the variance of the map.
+/// Small holes of the mask are filled first (`small_holes.h`), and count as map. The taper is the
+/// product of a Tukey window over the bounding box of the mask and, for a mask with an irregular
+/// border or holes, of a smooth fall-off towards its edge. Normalised so that the sum of the power
+/// over all frequencies, divided by the area, is the variance of the map.
 ///
 /// throws  Error if the mask is empty or smaller than 8 x 8 pixels
 Spectrum power_spectrum(const Grid<float>& map, const Mask& mask, const Extent& extent,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel.h"
+#include "core/random.h"
 #include "synth/gaussian_field.h"
 
 namespace hada {
@@ -59,6 +60,29 @@ TEST(Bands, AreTheWavesThatWereAddedUp) {
     EXPECT_NEAR(band.rms, waves[k].rms, 3.0 * band.rms_sigma + 0.02 * band.rms);
     EXPECT_GT(band.anisotropy, 0.9);
     EXPECT_LT(band.wavelength_sigma, 0.1 * band.wavelength);
+  }
+}
+
+TEST(Bands, AreSeenThroughHolesAllOver) {
+  const Grid<float> whole = map_of({{16.0, 0.6, 0.4, 0.12}, {4.0, 1.4, 0.05, 0.12}}, 3);
+  const auto expected = bands_of(whole);
+  ASSERT_EQ(expected.size(), 2u);
+  Grid<float> torn = whole;
+  Mask mask(extent.rows, extent.cols, 1);
+  for (int row = 0; row < extent.rows; ++row) {
+    for (int col = 0; col < extent.cols; ++col) {
+      const bool in_speck = uniform(6, row / 5, col / 5) < 0.003;  // 20 times as large as a pixel
+      if (uniform(5, row, col) > 0.01 && !in_speck) continue;
+      mask(row, col) = 0;
+      torn(row, col) = 1e6f;
+    }
+  }
+  const auto found = bands(power_spectrum(torn, mask, extent), torn, mask);
+  ASSERT_EQ(found.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(found[k].wavelength, expected[k].wavelength, 0.01 * expected[k].wavelength);
+    EXPECT_NEAR(found[k].direction, expected[k].direction, 0.01);
+    EXPECT_NEAR(found[k].rms, expected[k].rms, 0.02 * expected[k].rms);
   }
 }
 
