@@ -96,6 +96,7 @@ void scale(Grid<float>& heights, double factor) {
 void change_pitch(Surface& surface, double pitch_mm) {
   scale(surface.height, pitch_mm / surface.extent.pitch);
   scale(surface.height_sigma, pitch_mm / surface.extent.pitch);
+  surface.levelling_cutoff *= pitch_mm / surface.extent.pitch;
   surface.extent.pitch = pitch_mm;
   surface.extent.unit = Unit::mm;
 }

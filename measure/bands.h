@@ -27,7 +27,7 @@ struct BandOptions {
 /// The bands of a map, the strongest first: the humps of its spectrum that its likelihood asks for,
 /// and of each the waves that are there.
 ///
-/// spectrum  of `map` inside `mask`
+/// spectrum  of `map` inside `mask`, whose small holes are filled here as there (`small_holes.h`)
 /// returns   wavelength, direction and rms of what is there, not of a law that it was drawn from;
 ///           sigma is how far that may lie from such a law
 std::vector<Band> bands(const Spectrum& spectrum, const Grid<float>& map, const Mask& mask,

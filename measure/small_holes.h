@@ -21,7 +21,7 @@ inline constexpr int largest_small_hole = 400;
 /// at most `most_pixels` each, and none at a side of the map. Every pixel of a hole becomes the
 /// mean of its four neighbours, as a film of soap would lie. Empty where there is no such hole.
 ///
-/// What the map holds outside `mask` is not read.
+/// map, mask  of one size; what the map holds outside the mask is not read
 std::optional<MaskedMap> without_small_holes(const Grid<float>& map, const Mask& mask,
                                              int most_pixels = largest_small_hole);
 

@@ -20,7 +20,7 @@ namespace hada {
 ///
 /// An error that all pixels share (a light that is off) bends the whole sheet and is not in here.
 ///
-/// prior         for that levelling, else null; its own heights are taken for exact
+/// prior         instead of levelling, where it is not null; its own heights are taken for exact
 /// normal_sigma  radians along each tangent axis
 /// returns       in the unit of `pitch`; 0 outside the mask
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,

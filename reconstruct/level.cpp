@@ -17,7 +17,6 @@ using Products = Eigen::Matrix<double, 6, 6>;
 int terms_of(Levelling levelling) {
   switch (levelling) {
     case Levelling::offset:
-    case Levelling::prior:
       return 1;
     case Levelling::plane:
       return 3;
@@ -68,14 +67,12 @@ std::string_view name_of(Levelling levelling) {
       return "plane";
     case Levelling::quadratic:
       return "quadratic";
-    case Levelling::prior:
-      return "prior";
   }
   return "offset";
 }
 
 void level(Grid<float>& height, const Mask& mask, Levelling levelling) {
-  assert(height.same_size(mask) && levelling != Levelling::prior);
+  assert(height.same_size(mask));
   const Basis basis(height, levelling);
   std::vector<NormalEquations> rows(std::size_t(height.rows()));
   for_each_index(height.rows(), [&](int row) {

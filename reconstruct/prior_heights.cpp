@@ -15,6 +15,11 @@
 namespace hada {
 namespace {
 
+// Along a direction in which known pixels spread by less than this, rms in pixels, they are spots
+// in a line, which say nothing of the tilt across it.
+constexpr double least_spread_px = 4.0;
+// Waves of more than this many times the map are all alike in it.
+constexpr double longest_cutoff = 100.0;
 // Up to this many standard deviations from the last known pixel the smooth rest is what is known
 // there; beyond, it fades.
 constexpr double reach = 3.0;
@@ -86,10 +91,14 @@ Tilted tilted_difference(const PriorHeights& prior, const Grid<float>& height,
         "the prior knows the height of no pixel of the mask; check that both show the same "
         "part of the surface");
   }
-  // The smallest of all tilts: spots in a line say nothing of the tilt across it.
   Tilted found;
-  found.tilt = spread.topLeftCorner<2, 2>().completeOrthogonalDecomposition().solve(
-      spread.topRightCorner<2, 1>());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread.topLeftCorner<2, 2>());
+  for (int k = 0; k < 2; ++k) {
+    const double squares = axes.eigenvalues()[k];
+    if (squares < least_spread_px * least_spread_px * all.count) continue;
+    const Eigen::Vector2d axis = axes.eigenvectors().col(k);
+    found.tilt += axis.dot(spread.topRightCorner<2, 1>()) / squares * axis;
+  }
   const auto offset_of = [&](const Moments& moments) {
     const Eigen::Vector3d mean = moments.mean();
     return mean.z() - found.tilt.dot(mean.head<2>());
@@ -106,7 +115,9 @@ class SmoothRest {
   SmoothRest(const PriorHeights& prior, const Grid<float>& height, const Regions& regions,
              const Tilted& tilted) {
     // Half of a wave of the cutoff is let through: exp(-2 pi^2 sigma^2 / cutoff^2) = 1 / 2.
-    const double sigma = prior.cutoff_px * std::sqrt(0.5 * std::numbers::ln2) / std::numbers::pi;
+    const double cutoff =
+        std::min(prior.cutoff_px, longest_cutoff * std::max(height.rows(), height.cols()));
+    const double sigma = cutoff * std::sqrt(0.5 * std::numbers::ln2) / std::numbers::pi;
     block_ = std::max(int(sigma / 4.0), 1);
     // Of one known pixel, `reach` away.
     least_weight_ = std::exp(-0.5 * reach * reach) / (2.0 * std::numbers::pi * sigma * sigma);
@@ -167,15 +178,16 @@ class SmoothRest {
     }
     for (double& weight : kernel) weight /= total;
     for (const bool across : {true, false}) {
-      Grid<double> smoothed(grid.rows(), grid.cols());
+      Grid<double> smoothed(grid.rows(), grid.cols(), 0.0, grid.memory());
+      const int length = across ? grid.cols() : grid.rows();
       for_each_index(grid.rows(), [&](int row) {
         for (int col = 0; col < grid.cols(); ++col) {
-          for (int i = -radius; i <= radius; ++i) {
-            const int r = across ? row : row + i;
-            const int c = across ? col + i : col;
-            if (grid.contains(r, c))
-              smoothed(row, col) += kernel[std::size_t(i + radius)] * grid(r, c);
+          const int here = across ? col : row;
+          double sum = 0.0;
+          for (int i = std::max(here - radius, 0); i <= std::min(here + radius, length - 1); ++i) {
+            sum += kernel[std::size_t(i - here + radius)] * (across ? grid(row, i) : grid(i, col));
           }
+          smoothed(row, col) = sum;
         }
       });
       grid = std::move(smoothed);

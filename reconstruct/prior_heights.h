@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string_view>
+
 #include "core/grid.h"
 
 namespace hada {
+
+/// What a surface says of the levelling of a height whose long waves are of a prior.
+inline constexpr std::string_view prior_levelling = "prior";
 
 /// Heights of the same surface that are known from elsewhere: a coarse scan, or a few spots.
 struct PriorHeights {

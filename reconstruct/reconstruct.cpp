@@ -269,14 +269,15 @@ Reconstruction reconstruct(const LightStack& stack, const ReconstructOptions& op
                              {.weight = slope_weight(surface.normal_sigma, surface.mask),
                               .pin_hole = pin_hole_of(stack.camera, surface.offset_px)});
   std::optional<PriorHeights> prior;
-  if (options.levelling == Levelling::prior) {
+  if (options.prior) {
     prior = {crop(options.prior->height, row, col, rows, cols), options.prior->cutoff_px};
     level(surface.height, surface.mask, *prior);
+    surface.levelling = prior_levelling;
     surface.levelling_cutoff = prior->cutoff_px * pitch;
   } else {
     level(surface.height, surface.mask, options.levelling);
+    surface.levelling = name_of(options.levelling);
   }
-  surface.levelling = name_of(options.levelling);
   surface.height_sigma = height_sigma(surface.normals, surface.normal_sigma, surface.mask, pitch,
                                       options.levelling, prior ? &*prior : nullptr);
   return result;

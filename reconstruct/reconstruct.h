@@ -14,9 +14,9 @@
 namespace hada {
 
 struct ReconstructOptions {
-  Levelling levelling = Levelling::plane;  // `prior` where `prior` is given
+  Levelling levelling = Levelling::plane;
   Estimator estimator = default_estimator;
-  std::optional<PriorHeights> prior{};  // on the pixels of the pictures
+  std::optional<PriorHeights> prior{};  // on the pixels of the pictures: instead of levelling
 };
 
 /// A surface, and what a person should know of how it came about.

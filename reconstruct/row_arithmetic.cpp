@@ -69,11 +69,12 @@ HADA_CLONES_AVX512 float largest(int n, const float* x) {
 
 HADA_CLONES_AVX512 std::size_t count_positive(std::size_t n, const std::uint8_t* x) {
   // In bytes, as many at a time as cannot overflow one.
+  constexpr int lanes = 32;
+  constexpr std::size_t at_once = lanes * 255;
   std::size_t count = 0;
-  for (std::size_t first = 0; first < n; first += 32 * 255) {
-    constexpr int lanes = 32;
+  for (std::size_t first = 0; first < n; first += at_once) {
     std::uint8_t part[lanes] = {};
-    const std::size_t end = n - first < lanes * 255 ? n : first + lanes * 255;
+    const std::size_t end = n - first < at_once ? n : first + at_once;
     std::size_t i = first;
     for (; i + lanes <= end; i += lanes) {
       for (int lane = 0; lane < lanes; ++lane)

@@ -140,7 +140,9 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
   Input input = read_input(arguments, disk);
   Surface& surface = input.surface;
   std::optional<PriorHeights> prior;
-  if (arguments.prior.file) prior = read_prior(arguments.prior, input.frame, input.box);
+  if (arguments.prior.file) {
+    prior = read_prior(arguments.prior, input.frame, input.box, surface.mask.memory());
+  }
   terminal.step("integrating");
   input.options.done = [&](int cycles, double error) {
     terminal.step(fmt::format("integrating: cycle {}, about {:.1g} px to go", cycles, error));
@@ -157,7 +159,7 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
   } else {
     level(surface.height, surface.mask, levelling_named(arguments.levelling));
   }
-  surface.levelling = prior ? name_of(Levelling::prior) : arguments.levelling;
+  surface.levelling = prior ? std::string(prior_levelling) : arguments.levelling;
 
   terminal.step("writing the surface");
   const std::string notes = notes_of(input, found);
@@ -169,6 +171,7 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
                            pixels_in(surface.mask),
                            found.may_jump ? "a height that may jump" : "least-squares height"));
   terminal.say("because " + found.reason);
+  if (prior) terminal.say(told_of_prior(arguments.prior, surface));
   if (input.share_without_normal > 0.0) {
     terminal.say(fmt::format("note: {:.2g} % of the mask holds no normal and is left out",
                              100.0 * input.share_without_normal));

@@ -34,7 +34,6 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
                              .estimator = chosen_estimator(arguments.estimator)};
   if (arguments.prior.file) {
     const Extent frame = lit.stack.extent();
-    options.levelling = Levelling::prior;
     options.prior = read_prior(arguments.prior, frame, {0, 0, frame.rows, frame.cols});
   }
   const Reconstruction result = reconstruct(lit.stack, options);
@@ -47,6 +46,7 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
 
   terminal.say(told(lit));
   terminal.say(told(result));
+  if (options.prior) terminal.say(told_of_prior(arguments.prior, result.surface));
   for (const auto& remark : lit.remarks) terminal.say("note: " + remark);
   for (const auto& remark : result.remarks) terminal.say("note: " + remark);
   terminal.say("wrote " + arguments.out.string());

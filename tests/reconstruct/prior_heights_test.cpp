@@ -102,6 +102,32 @@ TEST(PriorHeights, LevelEveryRegionAndFadeBeyondWhatIsKnown) {
   }
 }
 
+TEST(PriorHeights, OfATrackSayNothingOfTheTiltAcrossIt) {
+  constexpr int size = 300;
+  Grid<float> height(size, size);
+  PriorHeights prior{Grid<float>(size, size, unknown), 20.0};
+  for (int col = 0; col < size; ++col) {
+    // As a line is drawn with pixels: a third of one wide.
+    prior.height(int(std::lround(0.3 * col)), col) = 0.1f * float(gaussian(4, col, 0));
+  }
+  level(height, Mask(size, size, 1), prior);
+  for (const float value : height) EXPECT_LT(std::abs(value), 0.5f);
+}
+
+TEST(PriorHeights, OfACutoffBeyondAnyMapAreAnOffsetAndATilt) {
+  constexpr int size = 60;
+  Grid<float> height(size, size);
+  PriorHeights prior{Grid<float>(size, size), 1e300};
+  for (int row = 0; row < size; ++row) {
+    for (int col = 0; col < size; ++col)
+      prior.height(row, col) = 0.1f * float(col) + cosine(row, size, 20.0);
+  }
+  level(height, Mask(size, size, 1), prior);
+  // The cosine has 3 whole waves, and no tilt.
+  EXPECT_NEAR(height(7, 50) - height(7, 10), 4.0f, 1e-3f);
+  EXPECT_NEAR(height(10, 30) - height(50, 30), 0.0f, 1e-3f);
+}
+
 TEST(PriorHeights, AreTheSameAtAnyNumberOfThreads) {
   constexpr int size = 150;
   Grid<float> first(size, size), second;

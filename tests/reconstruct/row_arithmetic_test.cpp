@@ -1,5 +1,6 @@
 #include "reconstruct/row_arithmetic.h"
 
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,16 @@ TEST(RowArithmetic, AddsUpWholeRows) {
   row_kernels::add(34, row.data(), row.data(), twice.data());
   row_kernels::subtract(34, 1.0f, twice.data());
   EXPECT_EQ(twice[33], 65.0f);
+}
+
+TEST(RowArithmetic, CountsWhatIsAboveZero) {
+  // More than a byte can count in each of 32 lanes, and some beyond whole rows of lanes.
+  std::vector<std::uint8_t> bytes(32 * 300 + 7, 200);
+  bytes[5] = bytes[9000] = 0;
+  EXPECT_EQ(row_kernels::count_positive(bytes.size(), bytes.data()), bytes.size() - 2);
+  const std::vector<float> some{1.0f, -1.0f, 0.0f, 0.5f};
+  EXPECT_EQ(row_kernels::count_positive(some.size(), some.data()), 2u);
+  EXPECT_EQ(row_kernels::count_positive(0, some.data()), 0u);
 }
 
 TEST(RowArithmetic, FindTheLargestOfEitherSign) {
