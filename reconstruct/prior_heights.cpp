@@ -121,8 +121,8 @@ class SmoothRest {
     block_ = std::max(int(sigma / 4.0), 1);
     // Of one known pixel, `reach` away.
     least_weight_ = std::exp(-0.5 * reach * reach) / (2.0 * std::numbers::pi * sigma * sigma);
-    sum_ =
-        Grid<double>((height.rows() + block_ - 1) / block_, (height.cols() + block_ - 1) / block_);
+    sum_ = Grid<double>((height.rows() + block_ - 1) / block_,
+                        (height.cols() + block_ - 1) / block_, 0.0, height.memory());
     weight_ = sum_;
     for_each_index(sum_.rows(), [&](int lattice_row) {
       const int end = std::min((lattice_row + 1) * block_, height.rows());
