@@ -116,6 +116,10 @@ Observation observe(const Surface& surface, double lens_blur_px) {
   seen.full = cells_of(
       seen.spectrum, leaked,
       {.empty_steps = hole, .reach = std::min(reach, 1.0), .most_leakage = 1.0, .faintest = 0.0});
+  if (!surface.has_height()) {
+    seen.whole =
+        cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = std::min(reach, 1.0)});
+  }
   seen.square = cells_of(seen.spectrum, leaked,
                          {.empty_steps = hole,
                           .reach = reach,

@@ -15,6 +15,7 @@ struct Observation {
   std::vector<Cell> coarse;
   std::vector<Cell> fine;    // to where aliases may begin
   std::vector<Cell> full;    // to the Nyquist frequency
+  std::vector<Cell> whole;   // the same without those that hold much leakage; of pictures alone
   std::vector<Cell> square;  // to the corners, where fx and fy are both Nyquist's
   std::vector<std::string> remarks;
 };
