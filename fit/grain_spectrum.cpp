@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "core/fft.h"
 #include "core/parallel.h"
@@ -37,7 +38,7 @@ std::vector<double> overlap_of(const std::vector<double>& taper) {
   std::copy(taper.begin(), taper.end(), padded.begin());
   auto half = fft(padded);
   for (auto& value : half) value = std::norm(value);
-  const auto lags = inverse_fft(half, n);
+  const auto lags = inverse_fft(std::move(half), n);
   std::vector<double> overlap(taper.size());
   for (std::size_t k = 0; k < overlap.size(); ++k) overlap[k] = lags[k] / lags[0];
   return overlap;

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/fft.h"
@@ -112,7 +113,7 @@ class CrossCorrelations {
         Grid<std::complex<double>> product(amplitudes[i].rows(), amplitudes[i].cols());
         for (std::size_t at = 0; at < product.size(); ++at)
           product[at] = amplitudes[i][at] * std::conj(amplitudes[k][at]);
-        at_lag_[i][k] = inverse_fft(product, cols);
+        at_lag_[i][k] = inverse_fft(std::move(product), cols);
       }
     }
     std::array<double, 4> deviation;

@@ -79,8 +79,10 @@ double mean_square(const Grid<std::complex<double>>& transform, const Share& sha
   };
   const int most_row = steps(share.most_fy(), spectrum.extent.height(), rows);
   const int most_col = steps(share.most_fx(), spectrum.extent.width(), cols);
-  const int fewer_rows = std::min(rows, fast_length(2 * most_row + 1));
-  const int fewer_cols = std::min(cols, fast_length(2 * most_col + 1));
+  // So many at least that some lie where the taper is not too thin.
+  constexpr int fewest = 16;
+  const int fewer_rows = std::min(rows, fast_length(std::max(2 * most_row + 1, fewest)));
+  const int fewer_cols = std::min(cols, fast_length(std::max(2 * most_col + 1, fewest)));
   Grid<std::complex<double>> part(fewer_rows, fewer_cols / 2 + 1);
   const double scale = double(fewer_rows) * fewer_cols / (double(rows) * cols);
   for_each_index(2 * most_row + 1, [&](int i) {

@@ -63,12 +63,4 @@ double HumpDensity::reach(int axis, double widths) const {
   return far * along + widths * across_ * across;
 }
 
-double SpectralHump::density(double fx, double fy) const {
-  return HumpDensity(*this)(fx, fy);
-}
-
-double SpectralHump::density(double fx, double fy, Parameters& log_derivatives) const {
-  return HumpDensity(*this)(fx, fy, log_derivatives);
-}
-
 }  // namespace hada

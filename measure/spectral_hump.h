@@ -21,11 +21,6 @@ struct SpectralHump {
   double direction = 0.0;      // of the wave vector, counter-clockwise from +x, radians; likewise
   bool ring = false;
 
-  /// unit^2 per (cycle / unit)^2
-  double density(double fx, double fy) const;
-  /// The same, and the derivatives of its logarithm by the five parameters in their order.
-  double density(double fx, double fy, Parameters& log_derivatives) const;
-
   Parameters parameters() const {
     return {log_variance, log_frequency, log_along, log_across, direction};
   }
@@ -41,8 +36,9 @@ class HumpDensity {
  public:
   explicit HumpDensity(const SpectralHump& hump);
 
-  /// As those of `SpectralHump`.
+  /// unit^2 per (cycle / unit)^2
   double operator()(double fx, double fy) const;
+  /// The same, and the derivatives of its logarithm by the five parameters in their order.
   double operator()(double fx, double fy, SpectralHump::Parameters& log_derivatives) const;
 
   /// How far from 0 along an axis, 0 for x and 1 for y, the hump reaches up to so many widths.

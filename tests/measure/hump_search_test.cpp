@@ -54,7 +54,8 @@ TEST(HumpSearch, FindsNoneInAPowerLaw) {
 
 TEST(HumpSearch, FindsOneRing) {
   const SpectralHump ring{0.0, std::log(0.2), std::log(0.15), 0.0, 0.0, true};
-  auto found = found_in([&](double fx, double fy) { return ring.density(fx, fy) + 1e-6; }, 6).humps;
+  auto found =
+      found_in([&](double fx, double fy) { return HumpDensity(ring)(fx, fy) + 1e-6; }, 6).humps;
   // A mixture may have humps as faint as what a taper lets through.
   std::erase_if(found, [](const SpectralHump& hump) { return std::exp(hump.log_variance) < 1e-5; });
   ASSERT_EQ(found.size(), 1u);

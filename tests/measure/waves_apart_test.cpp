@@ -19,9 +19,8 @@ const SpectralHump shorter{std::log(0.1), std::log(1 / 12.0), std::log(0.15), st
                            false};
 
 Grid<float> part_of(const SpectralHump& hump, Seed seed) {
-  const auto field =
-      gaussian_field([&](double fx, double fy) { return hump.density(fx, fy); },
-                     {2 * extent.rows, 2 * extent.cols, extent.pitch, extent.unit}, seed);
+  const auto field = gaussian_field(
+      HumpDensity(hump), {2 * extent.rows, 2 * extent.cols, extent.pitch, extent.unit}, seed);
   return crop(field, 50, 70, extent.rows, extent.cols);
 }
 
@@ -119,8 +118,7 @@ TEST(WavesApart, MayBeOnAStrip) {
   mixture.humps = {longer};
   mixture.log_floor = mixture.log_fall = -30.0;
   const Extent strip{.rows = 20, .cols = 400, .pitch = 0.5, .unit = Unit::mm};
-  const auto field = gaussian_field([&](double fx, double fy) { return longer.density(fx, fy); },
-                                    {400, 800, 0.5, Unit::mm}, 6);
+  const auto field = gaussian_field(HumpDensity(longer), {400, 800, 0.5, Unit::mm}, 6);
   const auto map = crop(field, 10, 20, strip.rows, strip.cols);
   const auto apart = waves_apart(map, full_mask(strip), strip, mixture);
   ASSERT_TRUE(apart.of_hump[0]);
