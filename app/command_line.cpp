@@ -48,8 +48,7 @@ void add_modelling(Commands& commands) {
       "hada fit wrinkle out/surface -o material.json", fit_command,
       [](CLI::App& command, FitArguments& a) {
         command.add_option("material", a.material, "its name; see hada materials")->required();
-        command.add_option("input", a.input, input_words)->required();
-        add_pitch(command, a);
+        add_surface(command, a);
         command
             .add_option("--components", a.components,
                         "number of components; of a texture, of noise functions of both kinds "
@@ -96,9 +95,7 @@ void add_modelling(Commands& commands) {
   commands.add("figure", "Read gloss and dive of the fibres off a polished cut of wood",
                "hada figure photos/board --lights lights.json --trunk 90 -o out/figure",
                figure_command, [](CLI::App& command, FigureArguments& a) {
-                 add_capture(command, a);
-                 add_lights(command, a);
-                 add_pitch(command, a);
+                 add_photographs(command, a);
                  command
                      .add_option("--trunk", a.trunk_deg,
                                  "direction up the trunk in the pictures, counter-clockwise from "

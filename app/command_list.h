@@ -109,6 +109,21 @@ void add_lights(CLI::App& command, Arguments& a) {
                      "lights file (.json or .lp) to use instead of the spheres");
 }
 
+/// Photographs, and what may be known of them.
+template <class Arguments>
+void add_photographs(CLI::App& command, Arguments& a) {
+  add_capture(command, a);
+  add_lights(command, a);
+  add_pitch(command, a);
+}
+
+/// A surface, and its pitch.
+template <class Arguments>
+void add_surface(CLI::App& command, Arguments& a) {
+  command.add_option("input", a.input, input_words)->required();
+  add_pitch(command, a);
+}
+
 /// Declares the commands from photographs to numbers: calibrate, reconstruct, integrate, measure,
 /// classify, compare.
 void add_measuring(Commands& commands);

@@ -45,9 +45,7 @@ void add_measuring(Commands& commands) {
   commands.add("reconstruct", "Turn photographs into normals, albedo and height",
                "hada reconstruct photos/sheet --lights lights.json -o out/surface",
                reconstruct_command, [](CLI::App& command, ReconstructArguments& a) {
-                 add_capture(command, a);
-                 add_lights(command, a);
-                 add_pitch(command, a);
+                 add_photographs(command, a);
                  command
                      .add_option("--levelling", a.levelling,
                                  "what to take off the height: offset, plane or quadratic "
@@ -98,18 +96,16 @@ void add_measuring(Commands& commands) {
   commands.add("measure", "Describe a surface: spectrum, rings, sectors, roughness",
                "hada measure out/surface -o out/measured", measure_command,
                [](CLI::App& command, MeasureArguments& a) {
-                 command.add_option("input", a.input, input_words)->required();
-                 add_pitch(command, a);
+                 add_surface(command, a);
                  add_out(command, a, "folder for measure.json and spectrum.png");
                });
   commands.add("classify", "Say which of several kinds of sheet a surface is like",
                "hada classify out/surface -o classified.json", classify_command,
                [](CLI::App& command, ClassifyArguments& a) {
-                 command.add_option("input", a.input, input_words)->required();
+                 add_surface(command, a);
                  command.add_option("--among", a.among,
                                     "folder with a wrinkle file for each kind (default: seven "
                                     "papers)");
-                 add_pitch(command, a);
                  add_out(command, a, "JSON file to write");
                });
   commands.add("compare", "Say how far two surfaces differ",

@@ -44,7 +44,7 @@ Placement placement_of(const Surface& known, bool is_map, const Extent& frame,
   };
   if (!is_map && std::abs(pitch - frame.pitch) < same_pitch * frame.pitch) {
     const Eigen::Vector2i& offset = known.offset_px;
-    if (offset.y() + rows > frame.rows || offset.x() + cols > frame.cols) {
+    if (offset.minCoeff() < 0 || offset.y() > frame.rows - rows || offset.x() > frame.cols - cols) {
       throw Error(
           fmt::format("{}: lies beyond the pictures, by its offset_px; give a surface of "
                       "what they show",

@@ -48,6 +48,19 @@ double deviation(const Grid<float>& map) {
 
 }  // namespace
 
+Surface piece_of(const Surface& picture, const PixelBox& box) {
+  const auto [row, col, rows, cols] = box;
+  Surface piece;
+  piece.extent = picture.extent;
+  piece.extent.rows = rows;
+  piece.extent.cols = cols;
+  piece.mask = crop(picture.mask, row, col, rows, cols);
+  for (const auto& plane : picture.albedo.planes) {
+    piece.albedo.planes.push_back(crop(plane, row, col, rows, cols));
+  }
+  return piece;
+}
+
 TextureScore study_texture(const Surface& picture, int components) {
   const Extent& extent = picture.extent;
   const auto brightness = luminance(picture.albedo);

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/bounding_box.h"
 #include "core/surface.h"
 
 namespace hada {
+
+/// The brightness of a part of a picture.
+Surface piece_of(const Surface& picture, const PixelBox& box);
 
 /// How near a synthesised texture comes to a picture, by their spectra.
 struct TextureScore {

@@ -76,15 +76,15 @@ Score score_of(const HumpMixture& mixture, const std::vector<SpectralPatch>& pat
   const auto count =
       Eigen::Index(SpectralHump::parameter_count * int(mixture.humps.size()) + ground_count);
   const std::vector<HumpDensity> humps(mixture.humps.begin(), mixture.humps.end());
-  const double floor = std::exp(mixture.log_floor);
+  const SpectralGround ground = mixture.ground();
   Eigen::VectorXd slope = Eigen::VectorXd::Zero(count);
   Eigen::MatrixXd columns(count, Eigen::Index(patches.size()));  // derivatives of log density
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SpectralPatch& patch = patches[i];
     auto column = columns.col(Eigen::Index(i));
     const double log_f = log_frequency(patch.fx, patch.fy);
-    const double fall = std::exp(mixture.log_fall - mixture.steepness * log_f);
-    double density = floor + fall;
+    const double fall = ground.fall(log_f);
+    double density = ground.floor + fall;
     Eigen::Index at = 0;
     for (const HumpDensity& hump : humps) {
       SpectralHump::Parameters derivatives;
@@ -92,7 +92,7 @@ Score score_of(const HumpMixture& mixture, const std::vector<SpectralPatch>& pat
       for (const double derivative : derivatives) column[at++] = part * derivative;
       density += part;
     }
-    column.tail<ground_count>() << floor, fall, -fall * log_f;
+    column.tail<ground_count>() << ground.floor, fall, -fall * log_f;
     column /= density;
     slope += patch.count * (patch.power / density - 1.0) * column;
     column *= std::sqrt(patch.count);
@@ -131,18 +131,11 @@ SpectralPatches patches_of(const Spectrum& spectrum) {
   return result;
 }
 
-double HumpMixture::ground(double f) const {
-  return std::exp(log_floor) + std::exp(log_fall - steepness * std::log(f));
-}
-
 MixtureDensity::MixtureDensity(const HumpMixture& mixture)
-    : floor_(std::exp(mixture.log_floor)),
-      log_fall_(mixture.log_fall),
-      steepness_(mixture.steepness),
-      humps_(mixture.humps.begin(), mixture.humps.end()) {}
+    : ground_(mixture.ground()), humps_(mixture.humps.begin(), mixture.humps.end()) {}
 
 double MixtureDensity::operator()(double fx, double fy) const {
-  double sum = floor_ + std::exp(log_fall_ - steepness_ * log_frequency(fx, fy));
+  double sum = ground_(log_frequency(fx, fy));
   for (const HumpDensity& hump : humps_) sum += hump(fx, fy);
   return sum;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "measure/spectral_hump.h"
@@ -25,6 +26,14 @@ struct SpectralPatches {
 /// Nyquist frequency.
 SpectralPatches patches_of(const Spectrum& spectrum);
 
+/// What is no hump of a spectrum: white noise and a power of the frequency, unit^4.
+struct SpectralGround {
+  double floor, log_fall, steepness;
+
+  double fall(double log_f) const { return std::exp(log_fall - steepness * log_f); }
+  double operator()(double log_f) const { return floor + fall(log_f); }
+};
+
 /// A spectrum as a sum: humps, over white noise and a power of the frequency.
 struct HumpMixture {
   std::vector<SpectralHump> humps;
@@ -32,7 +41,7 @@ struct HumpMixture {
   double log_fall = 0.0;   // of the power law at 1 cycle per unit, unit^4
   double steepness = 2.0;  // of the power law: it goes with frequency to the minus this
 
-  double ground(double f) const;  // what is no hump, unit^4; f > 0
+  SpectralGround ground() const { return {std::exp(log_floor), log_fall, steepness}; }
 };
 
 /// The density of a mixture that is asked at many places, unit^4; not at frequency 0.
@@ -42,7 +51,7 @@ class MixtureDensity {
   double operator()(double fx, double fy) const;
 
  private:
-  double floor_, log_fall_, steepness_;
+  SpectralGround ground_;
   std::vector<HumpDensity> humps_;
 };
 

@@ -219,11 +219,12 @@ void take_off(const Plane& plane, const Grid<std::complex<double>>& waves, const
 
 // The spectrum that means over blocks have, and the mean a wide one.
 Grid<double> covariance_of(const HumpMixture& mixture, const Plane& plane, double variance) {
+  const SpectralGround ground = mixture.ground();
   const std::vector<HumpDensity> humps(mixture.humps.begin(), mixture.humps.end());
   auto covariance = plane.filled([&](double fx, double fy) {
     // A power law has no power at 0; below one wave over the plane it rises no further.
     const double f = std::max(std::hypot(fx, fy), 1.0 / plane.longest());
-    double density = mixture.ground(f);
+    double density = ground(std::log(f));
     for (const HumpDensity& hump : humps) density += hump(fx, fy);
     return density * std::pow(plane.blocks(fx, fy), 2) / plane.area();
   });

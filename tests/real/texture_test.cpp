@@ -11,25 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The brightness of `rows` x `cols` pixels of a picture.
-Surface piece_of(const Surface& picture, int row, int col, int rows, int cols) {
-  Surface piece;
-  piece.extent = picture.extent;
-  piece.extent.rows = rows;
-  piece.extent.cols = cols;
-  piece.mask = crop(picture.mask, row, col, rows, cols);
-  for (const auto& plane : picture.albedo.planes) {
-    piece.albedo.planes.push_back(crop(plane, row, col, rows, cols));
-  }
-  return piece;
-}
-
 TEST(RealTexture, OfASmallPieceLooksAlike) {
   const fs::path file = data_folder() / "wrinkle" / "fabric_2004.png";
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not here";
   const Surface fabric = read_surface(file, 0.1);
   for (const int side : {64, 96}) {
-    const auto score = study_texture(piece_of(fabric, 16, 16, side, side), 5);
+    const auto score = study_texture(piece_of(fabric, {16, 16, side, side}), 5);
     // What is asked for of whole pictures.
     EXPECT_LT(score.distance_db, score.floor_db + 0.6) << side;
   }
