@@ -26,15 +26,16 @@ struct JoinedRow {
         cross_along(inside_across),
         split(inside_across) {}
 
-  void join(const PixelLevel& fine, float least_strength, int row) {
+  // The blocks [first, first + count) of a row.
+  void join(const PixelLevel& fine, float least_strength, int row, int first, int count) {
     const Dealt& at = fine.at;
     const int below = std::min(2 * row + 1, at.rows);  // the guard row, if their number is odd
     const int next = std::min(2 * row + 2, at.rows);
-    const auto start = [&](int r, int parity) { return at.start(r, parity); };
+    const auto start = [&](int r, int parity) { return at.start({r, parity, first, count}); };
     if (fine.unit()) {
       const std::uint8_t* const code = fine.code.data();
       coarsen_kernels::join(
-          at.block,
+          count,
           {code + start(2 * row, 0), code + start(2 * row, 1), code + start(below, 0),
            code + start(below, 1), code + start(next, 0), code + start(next, 1)},
           inside_across.data(), inside_along.data(), cross_across.data(), cross_along.data(),
@@ -45,7 +46,7 @@ struct JoinedRow {
     const float* const south = fine.south.data();
     const float* const inverse = fine.inverse.data();
     coarsen_kernels::join(
-        at.block,
+        count,
         {east + start(2 * row, 0), east + start(2 * row, 1), east + start(below, 0),
          east + start(below, 1), south + start(2 * row, 0), south + start(2 * row, 1),
          south + start(below, 0), south + start(below, 1), inverse + start(2 * row, 0),
@@ -54,11 +55,10 @@ struct JoinedRow {
         cross_along.data(), split.data());
   }
 
-  void deal(PixelLevel& coarse, int row) const {
-    const int count = int(split.size()) / 2;
+  void deal(PixelLevel& coarse, int row, int count) const {
     const auto put = [&](const std::vector<float>& from, Cells& to) {
-      row_kernels::deal(count, from.data(), to.data() + coarse.at.start(row, 0),
-                        to.data() + coarse.at.start(row, 1));
+      row_kernels::deal(count / 2, from.data(), to.data() + coarse.at.start(coarse.half(row, 0)),
+                        to.data() + coarse.at.start(coarse.half(row, 1)));
     };
     put(inside_across, coarse.reach_across);
     put(inside_along, coarse.reach_along);
@@ -72,29 +72,47 @@ void weigh_edges(PixelLevel& coarse) {
   const Dealt& at = coarse.at;
   float* const across = coarse.reach_across.data();
   float* const along = coarse.reach_along.data();
-  const auto to_reach = [=](int row) {
-    coarsen_kernels::to_reach(int(at.stride()), across + at.start(row, 0));
-    coarsen_kernels::to_reach(int(at.stride()), along + at.start(row, 0));
+  const auto to_reach = [=, &coarse](int row) {
+    for (const int parity : {0, 1}) {
+      const HalfRow half = coarse.half(row, parity);
+      coarsen_kernels::to_reach(half.count, across + at.start(half));
+      coarsen_kernels::to_reach(half.count, along + at.start(half));
+    }
   };
   const auto put_in_series = [=, &coarse](int row) {
     for (const int parity : {0, 1}) {
-      const auto here = at.start(row, parity);
-      coarsen_kernels::in_series(at.block, coarse.east.data() + here, across + here,
-                                 across + at.start(row, 1 - parity) + parity);
-      coarsen_kernels::in_series(at.block, coarse.south.data() + here, along + here,
-                                 along + at.start(row + 1, parity));
+      const HalfRow half = coarse.half(row, parity);
+      const auto here = at.start(half);
+      coarsen_kernels::in_series(half.count, coarse.east.data() + here, across + here,
+                                 neighbours<row_kernels::Around>(at, across, half).right);
+      coarsen_kernels::in_series(half.count, coarse.south.data() + here, along + here,
+                                 neighbours<row_kernels::Around>(at, along, half).down);
     }
   };
   const auto add_up = [=, &coarse](int row) {
     for (const int parity : {0, 1}) {
-      const auto here = at.start(row, parity);
-      const auto weights = weights_around(coarse, row, parity);
-      coarsen_kernels::invert(at.block, coarse.inverse.data() + here, weights);
-      coarsen_kernels::find_even(at.block, weights, across + here, along + here,
+      const HalfRow half = coarse.half(row, parity);
+      const auto here = at.start(half);
+      const auto weights = weights_around(coarse, half);
+      coarsen_kernels::invert(half.count, coarse.inverse.data() + here, weights);
+      coarsen_kernels::find_even(half.count, weights, across + here, along + here,
                                  coarse.inverse.data() + here, coarse.even.data() + here);
     }
   };
   run_wavefront(at.rows, at.size(), {{0, to_reach}, {1, put_in_series}, {1, add_up}});
+}
+
+// Of the blocks that hold the cells of two stretches.
+PixelLevel::Stretch coarse_stretch(const PixelLevel& fine, int row, int block) {
+  constexpr int together = 16;
+  PixelLevel::Stretch found{block, 0};
+  for (int r = 2 * row; r < std::min(2 * row + 2, fine.at.rows); ++r) {
+    const auto [first, last] = fine.stretch(r);
+    if (first == last) continue;
+    found.first = std::min(found.first, first / 2 / together * together);
+    found.last = std::max(found.last, (last / 2 + together - 1) / together * together);
+  }
+  return found.first < found.last ? found : PixelLevel::Stretch{};
 }
 
 }  // namespace
@@ -105,14 +123,21 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
   for (auto* array : {&coarse.east, &coarse.south, &coarse.reach_across, &coarse.reach_along}) {
     *array = Cells(at.size(), coarse.memory());
   }
+  for (int row = 0; row < at.rows; ++row) {
+    coarse.stretches.push_back(coarse_stretch(fine, row, at.block));
+  }
   std::vector<std::vector<int>> split_cols(std::size_t(at.rows));
   for_slices(at.rows, [&](int begin, int end) {
     JoinedRow joined(fine.at);
     for (int row = begin; row < end; ++row) {
-      joined.join(fine, least_strength, row);
-      joined.deal(coarse, row);
-      for (int col = 0; col < at.cols; ++col) {
-        if (joined.split[std::size_t(col)] != 0.0f) split_cols[std::size_t(row)].push_back(col);
+      const HalfRow half = coarse.half(row, 0);
+      const int first = 2 * half.first;
+      const int count = std::min(2 * half.count, fine.at.block - first);
+      joined.join(fine, least_strength, row, first, count);
+      joined.deal(coarse, row, count);
+      for (int block = 0; block < std::min(count, at.cols - first); ++block) {
+        if (joined.split[std::size_t(block)] == 0.0f) continue;
+        split_cols[std::size_t(row)].push_back(first + block);
       }
     }
   });

@@ -4,6 +4,14 @@
 
 namespace hada {
 
+/// Cells side by side in one block of a row of `Dealt`.
+struct HalfRow {
+  int row;
+  int parity;  // of its columns
+  int first;   // of the cells that are meant, in their block
+  int count;
+};
+
 /// How the rows of a grid lie in memory: first the cells of its even columns, then those of its odd
 /// ones, each block padded.
 ///
@@ -25,6 +33,9 @@ struct Dealt {
   std::ptrdiff_t stride() const { return 2 * std::ptrdiff_t(block); }
   /// The first cell of the even (0) or odd (1) columns of a row; rows -1 and `rows` are guards.
   std::ptrdiff_t start(int row, int parity) const { return (row + 1) * stride() + parity * block; }
+  std::ptrdiff_t start(const HalfRow& cells) const {
+    return start(cells.row, cells.parity) + cells.first;
+  }
   std::ptrdiff_t cell(int row, int col) const { return start(row, col % 2) + col / 2; }
 };
 

@@ -33,6 +33,13 @@ struct PixelLevel {
   std::pmr::memory_resource* memory() const { return value.get_allocator().resource; }
 
   Dealt at;
+  /// Of both blocks of every row, the cells from the first to the last that there are, in whole
+  /// sixteens. What lies around an object is neither worked on nor touched, and stays 0.
+  struct Stretch {
+    int first = 0;
+    int last = 0;  // one beyond
+  };
+  std::vector<Stretch> stretches;  // empty: all cells of every row
   Cells value;
   Cells right;  // right-hand side; sums to 0 in every region
 
@@ -68,6 +75,14 @@ struct PixelLevel {
   };
   std::vector<Moved> moved;
 
+  Stretch stretch(int row) const {
+    return stretches.empty() ? Stretch{0, at.block} : stretches[std::size_t(row)];
+  }
+  /// The cells of a row that are in its stretch and have this parity of columns.
+  HalfRow half(int row, int parity) const {
+    const auto [first, last] = stretch(row);
+    return {row, parity, first, last - first};
+  }
   bool unit() const { return !code.empty(); }
   bool is_extra(Node node) const { return node >= Node(at.size()); }
   std::size_t nodes() const { return at.size() + extras.size(); }

@@ -20,8 +20,21 @@ float step_of(float largest_slope) {
   return std::exp2(std::ceil(std::log2(std::max(largest_slope, 0x1p-20f)))) * 0x1p-21f;
 }
 
-float largest_slope(const SlopeMap& slopes, int row) {
-  return row_kernels::largest(2 * slopes.cols(), slopes.row(row).data()->data());
+// The columns of a row that hold the stretch of a level.
+struct Columns {
+  int first = 0;
+  int last = 0;  // one beyond
+  int count() const { return last - first; }
+};
+
+Columns columns_of(const PixelLevel& level, int row) {
+  if (row < 0 || row >= level.at.rows) return {};
+  const auto [first, last] = level.stretch(row);
+  return {2 * first, std::min(2 * last, level.at.cols)};
+}
+
+float largest_slope(const SlopeMap& slopes, int row, const Columns& cols) {
+  return row_kernels::largest(2 * cols.count(), slopes.row(row).data()->data() + 2 * cols.first);
 }
 
 }  // namespace
@@ -39,7 +52,7 @@ SlopeSolver::SlopeSolver(const Mask& mask, std::optional<EdgeWeights> weights)
 void SlopeSolver::set_right(const SlopeMap& slopes) {
   float most = 0.0f;
   for (int row = 0; row < slopes.rows(); row += rows_asked) {
-    most = std::max(most, largest_slope(slopes, row));
+    most = std::max(most, largest_slope(slopes, row, columns_of(multigrid_->finest(), row)));
   }
   // The step is nearly always the right one, and the slopes are read once.
   const float step = step_of(most);
@@ -49,36 +62,51 @@ void SlopeSolver::set_right(const SlopeMap& slopes) {
 
 // Returns the largest slope.
 float SlopeSolver::set_right(const SlopeMap& slopes, float step) {
-  const Dealt& at = multigrid_->finest().at;
-  const int cols = at.cols;
-  const auto slopes_in = [&](int row) { return slopes.row(row).data()->data(); };
+  const PixelLevel& level = multigrid_->finest();
+  const Dealt& at = level.at;
+  const auto slopes_at = [&](int row, int col) { return (slopes.row(row).data() + col)->data(); };
+  const auto mask_at = [&](int row, int col) { return mask_.row(row).data() + col; };
   std::vector<float> most(std::size_t(at.rows));
   const float magic = multigrid_->set_step(step);
   for_slices(at.rows, [&](int begin, int end) {
     // One empty place before the first pixel, and some after the last: rows come in pairs of
     // pixels.
-    std::vector<float> across(std::size_t(cols) + 1, 0.0f);
-    std::vector<float> above(std::size_t(cols), 0.0f);
-    std::vector<float> below(std::size_t(cols), 0.0f);
+    std::vector<float> across(std::size_t(at.cols) + 1, 0.0f);
+    std::vector<float> above(std::size_t(at.cols), 0.0f);
+    std::vector<float> below(std::size_t(at.cols), 0.0f);
     std::vector<float> sum(std::size_t(at.stride()), 0.0f);
+    // Where either row of two has pixels.
     const auto fill_below = [&](int row) {
-      if (row < 0 || row + 1 >= at.rows) {
+      const Columns a = columns_of(level, row);
+      const Columns b = columns_of(level, row + 1);
+      if (a.count() == 0 || b.count() == 0) {
         std::fill(below.begin(), below.end(), 0.0f);
         return;
       }
-      rise_kernels::rise_down(cols, slopes_in(row), slopes_in(row + 1), mask_.row(row).data(),
-                              mask_.row(row + 1).data(), magic, below.data());
+      const int first = std::min(a.first, b.first);
+      rise_kernels::rise_down(std::max(a.last, b.last) - first, slopes_at(row, first),
+                              slopes_at(row + 1, first), mask_at(row, first),
+                              mask_at(row + 1, first), magic, below.data() + first);
     };
     fill_below(begin - 1);
     for (int row = begin; row < end; ++row) {
-      most[std::size_t(row)] = largest_slope(slopes, row);
+      const Columns cols = columns_of(level, row);
+      most[std::size_t(row)] = largest_slope(slopes, row, cols);
       std::swap(above, below);
       fill_below(row);
-      rise_kernels::rise_across(cols - 1, slopes_in(row), mask_.row(row).data(), magic,
-                                across.data() + 1);
-      rise_kernels::balance(cols, across.data() + 1, above.data(), below.data(), sum.data());
-      float* const right = multigrid_->right().data();
-      row_kernels::deal(at.block, sum.data(), right + at.start(row, 0), right + at.start(row, 1));
+      if (cols.count() == 0) continue;
+      const int first = cols.first;
+      float* const rise = across.data() + 1 + first;
+      rise[-1] = 0.0f;  // from another row, which began further left
+      rise[cols.count() - 1] = 0.0f;
+      rise_kernels::rise_across(cols.count() - 1, slopes_at(row, first), mask_at(row, first), magic,
+                                rise);
+      rise_kernels::balance(cols.count(), rise, above.data() + first, below.data() + first,
+                            sum.data() + first);
+      // Behind the last column of the map `sum` is still 0.
+      row_kernels::deal(level.half(row, 0).count, sum.data() + first,
+                        multigrid_->right().data() + at.start(level.half(row, 0)),
+                        multigrid_->right().data() + at.start(level.half(row, 1)));
     }
   });
   return *std::max_element(most.begin(), most.end());

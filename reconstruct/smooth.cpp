@@ -13,17 +13,17 @@ namespace {
 constexpr int red = 0;
 constexpr int black = 1;
 
-// Whether the cells of a colour are in the even (0) or odd (1) columns of a row.
-int parity_of(int row, int colour) {
-  return (row + colour) % 2;
+// The cells of a colour in a row.
+HalfRow half_of(const PixelLevel& level, int row, int colour) {
+  return level.half(row, (row + colour) % 2);
 }
 
 void relax(const System& s, int row, int colour, float factor) {
   const PixelLevel& level = s.level;
-  const int parity = parity_of(row, colour);
-  const int n = level.at.block;
-  const auto here = level.at.start(row, parity);
-  const auto values = values_around(level, s.x, row, parity);
+  const HalfRow half = half_of(level, row, colour);
+  const int n = half.count;
+  const auto here = level.at.start(half);
+  const auto values = values_around(level, s.x, half);
   float* const x = s.x + here;
   const float* const right = s.right + here;
   if (level.unit()) {
@@ -31,7 +31,7 @@ void relax(const System& s, int row, int colour, float factor) {
     if (factor == 1.0f) return row_kernels::relax(n, x, values, right, code);
     return row_kernels::over_relax(n, factor, x, values, right, code);
   }
-  const auto weights = weights_around(level, row, parity);
+  const auto weights = weights_around(level, half);
   const float* const inverse = level.inverse.data() + here;
   const auto* const even = even_at(level, here);
   if (factor == 1.0f) return row_kernels::relax(n, x, values, weights, right, inverse, even);
@@ -40,26 +40,27 @@ void relax(const System& s, int row, int colour, float factor) {
 
 void relax_from_zero(const System& s, int row, int colour, float factor) {
   const PixelLevel& level = s.level;
-  const auto here = level.at.start(row, parity_of(row, colour));
+  const HalfRow half = half_of(level, row, colour);
+  const auto here = level.at.start(half);
   if (level.unit()) {
-    row_kernels::relax_from_zero(level.at.block, factor, s.x + here, s.right + here,
+    row_kernels::relax_from_zero(half.count, factor, s.x + here, s.right + here,
                                  level.code.data() + here);
   } else {
-    row_kernels::relax_from_zero(level.at.block, factor, s.x + here, s.right + here,
+    row_kernels::relax_from_zero(half.count, factor, s.x + here, s.right + here,
                                  level.inverse.data() + here);
   }
 }
 
-// The coarse cells of even (0) or odd (1) columns, carried towards the black cells of a fine row:
-// to the upper right corner of their block in its first row, to the lower left one in its second.
-row_kernels::Corner corner_of(const PixelLevel& coarse, int fine_row, int parity) {
-  const Dealt& at = coarse.at;
-  const int row = fine_row / 2;
-  const bool second = fine_row % 2 == 1;
+// The coarse cells of even (0) or odd (1) columns, carried towards the black cells of half a fine
+// row: to the upper right corner of their block in its first row, to the lower left one in its
+// second.
+row_kernels::Corner corner_of(const PixelLevel& coarse, const HalfRow& fine, int parity) {
+  const HalfRow half{fine.row / 2, parity, fine.first / 2, fine.count / 2};
+  const bool second = fine.row % 2 == 1;
   const float* const value = coarse.value.data();
-  const auto here = at.start(row, parity);
-  const auto beside = neighbours<row_kernels::Around>(at, value, row, parity);
-  const auto weights = weights_around(coarse, row, parity);
+  const auto here = coarse.at.start(half);
+  const auto beside = values_around(coarse, value, half);
+  const auto weights = weights_around(coarse, half);
   return {value + here,
           second ? beside.left : beside.right,
           second ? weights.left : weights.right,
@@ -74,92 +75,96 @@ row_kernels::Corner corner_of(const PixelLevel& coarse, int fine_row, int parity
 template <class Work>
 void for_moved(const PixelLevel& level, int row, int colour, const Work& work) {
   if (level.moved.empty()) return;
-  const auto begin = PixelLevel::Node(level.at.start(row, parity_of(row, colour)));
+  const HalfRow half = half_of(level, row, colour);
+  const auto begin = PixelLevel::Node(level.at.start(half));
   auto moved = std::lower_bound(level.moved.begin(), level.moved.end(), begin,
                                 [](const auto& m, PixelLevel::Node cell) { return m.cell < cell; });
-  for (; moved != level.moved.end() && moved->cell < begin + level.at.block; ++moved) {
+  for (; moved != level.moved.end() && moved->cell < begin + half.count; ++moved) {
     work(*moved);
   }
 }
 
 void correct(const System& s, const PixelLevel& coarse, int row) {
   const PixelLevel& level = s.level;
-  const auto here = level.at.start(row, parity_of(row, black));
+  const HalfRow half = half_of(level, row, black);
+  const auto here = level.at.start(half);
   std::vector<float> moved;
   for_moved(level, row, black, [&](const PixelLevel::Moved& m) {
     moved.push_back(s.x[m.cell] + coarse.value[std::size_t(m.parent)]);
   });
-  const auto even = corner_of(coarse, row, 0);
-  const auto odd = corner_of(coarse, row, 1);
+  const auto even = corner_of(coarse, half, 0);
+  const auto odd = corner_of(coarse, half, 1);
   if (level.unit()) {
-    row_kernels::add_carried(level.at.block / 2, s.x + here, even, odd, level.code.data() + here);
+    row_kernels::add_carried(half.count / 2, s.x + here, even, odd, level.code.data() + here);
   } else {
-    row_kernels::add_carried(level.at.block / 2, s.x + here, even, odd,
-                             level.inverse.data() + here);
+    row_kernels::add_carried(half.count / 2, s.x + here, even, odd, level.inverse.data() + here);
   }
   auto next = moved.begin();
   for_moved(level, row, black, [&](const PixelLevel::Moved& m) { s.x[m.cell] = *next++; });
 }
 
-void residual(const System& s, int row, int colour, float* out) {
+void residual(const System& s, const HalfRow& half, float* out) {
   const PixelLevel& level = s.level;
-  const int parity = parity_of(row, colour);
-  const auto here = level.at.start(row, parity);
-  const auto values = values_around(level, s.x, row, parity);
+  const auto here = level.at.start(half);
+  const auto values = values_around(level, s.x, half);
   if (level.unit()) {
-    row_kernels::residual(level.at.block, out, s.x + here, values, s.right + here,
+    row_kernels::residual(half.count, out, s.x + here, values, s.right + here,
                           level.code.data() + here);
   } else {
-    row_kernels::residual(level.at.block, out, s.x + here, values,
-                          weights_around(level, row, parity), s.right + here,
-                          level.inverse.data() + here, even_at(level, here));
+    row_kernels::residual(half.count, out, s.x + here, values, weights_around(level, half),
+                          s.right + here, level.inverse.data() + here, even_at(level, here));
   }
 }
 
-// right of the coarser level = the sums over blocks of what `sum_row(row, sums, moved)` finds: the
-// part of a row in each, without the cells that moved to an extra node, and what belongs to those.
+// right of the coarser level = the sums over blocks of what `sum_row(row, first, count, sums,
+// moved)` finds: the part of a row in each, from the first cell of a block on, without the cells
+// that moved to an extra node, and what belongs to those.
 template <class SumRow>
 void restrict_rows(const PixelLevel& level, int row, PixelLevel& coarse, const SumRow& sum_row) {
   // Two rows make one row of blocks; the second of them comes with both.
   const bool last = row + 1 == level.at.rows;
   if (row % 2 == 0 && !last) return;
+  const auto even = coarse.half(row / 2, 0);
+  const int first = 2 * even.first;
+  const int count = std::min(2 * even.count, level.at.block - first);
   const auto block = std::size_t(level.at.block);
   thread_local std::vector<float> rows;  // here for their memory alone
   rows.resize(std::max(rows.size(), 2 * block));
   float* const upper = rows.data();
   float* const lower = upper + block;
   std::vector<std::pair<PixelLevel::Node, float>> moved;
-  sum_row(row / 2 * 2, upper, moved);
+  sum_row(row / 2 * 2, first, count, upper, moved);
   if (row % 2 == 1) {
-    sum_row(row, lower, moved);
+    sum_row(row, first, count, lower, moved);
   } else {
-    std::fill_n(lower, block, 0.0f);
+    std::fill_n(lower, count, 0.0f);
   }
-  row_kernels::add_and_deal(level.at.block / 2, upper, lower,
-                            coarse.right.data() + coarse.at.start(row / 2, 0),
-                            coarse.right.data() + coarse.at.start(row / 2, 1));
+  row_kernels::add_and_deal(count / 2, upper, lower, coarse.right.data() + coarse.at.start(even),
+                            coarse.right.data() + coarse.at.start(coarse.half(row / 2, 1)));
   for (const auto& [parent, rest] : moved) coarse.right[std::size_t(parent)] += rest;
 }
 
 void restrict_red(const System& s, int row, PixelLevel& coarse) {
   const PixelLevel& level = s.level;
-  restrict_rows(level, row, coarse, [&](int r, float* sums, auto& moved) {
-    residual(s, r, red, sums);
+  restrict_rows(level, row, coarse, [&](int r, int first, int count, float* sums, auto& moved) {
+    const HalfRow half{r, half_of(level, r, red).parity, first, count};
+    residual(s, half, sums);
     for_moved(level, r, red, [&](const PixelLevel::Moved& m) {
-      const auto place = std::size_t(m.cell - level.at.start(r, parity_of(r, red)));
+      const auto place = std::size_t(m.cell - level.at.start(half));
       moved.emplace_back(m.parent, std::exchange(sums[place], 0.0f));
     });
   });
 }
 
 void restrict_right(const PixelLevel& level, int row, PixelLevel& coarse) {
-  restrict_rows(level, row, coarse, [&](int r, float* sums, auto& moved) {
+  restrict_rows(level, row, coarse, [&](int r, int first, int count, float* sums, auto& moved) {
     const float* const right = level.right.data();
-    row_kernels::add(level.at.block, right + level.at.start(r, 0), right + level.at.start(r, 1),
-                     sums);
+    row_kernels::add(count, right + level.at.start({r, 0, first, count}),
+                     right + level.at.start({r, 1, first, count}), sums);
     for (const int colour : {red, black}) {
+      const HalfRow half{r, half_of(level, r, colour).parity, first, count};
       for_moved(level, r, colour, [&](const PixelLevel::Moved& m) {
-        const auto place = std::size_t(m.cell - level.at.start(r, parity_of(r, colour)));
+        const auto place = std::size_t(m.cell - level.at.start(half));
         const float here = right[std::size_t(m.cell)];
         moved.emplace_back(m.parent, here);
         sums[place] -= here;
@@ -196,15 +201,16 @@ void add_subtraction(const System& s, std::vector<Stage>& stages) {
   stages.push_back({1, [s](int row) {
                       const PixelLevel& level = s.level;
                       for (const int parity : {0, 1}) {
-                        const auto here = level.at.start(row, parity);
-                        const auto values = values_around(level, s.x, row, parity);
+                        const HalfRow half = level.half(row, parity);
+                        const auto here = level.at.start(half);
+                        const auto values = values_around(level, s.x, half);
                         if (level.unit()) {
-                          row_kernels::subtract_image(level.at.block, s.right + here, s.x + here,
+                          row_kernels::subtract_image(half.count, s.right + here, s.x + here,
                                                       values, level.code.data() + here,
-                                                      codes_around(level, row, parity));
+                                                      codes_around(level, half));
                         } else {
-                          row_kernels::subtract_image(level.at.block, s.right + here, s.x + here,
-                                                      values, weights_around(level, row, parity));
+                          row_kernels::subtract_image(half.count, s.right + here, s.x + here,
+                                                      values, weights_around(level, half));
                         }
                       }
                     }});
@@ -214,10 +220,15 @@ void add_settling(const System& s, float factor, float magic, Grid<float>& total
                   std::vector<Stage>& stages) {
   stages.push_back({1, [=, &total](int row) {
                       const Dealt& at = s.level.at;
-                      float* const even = s.x + at.start(row, 0);
-                      row_kernels::settle(int(at.stride()), factor, magic, even);
-                      row_kernels::add_gathered(at.cols, 1.0f, even, s.x + at.start(row, 1),
-                                                total.row(row).data());
+                      const HalfRow half = s.level.half(row, 0);
+                      float* const even = s.x + at.start(half);
+                      float* const odd = s.x + at.start(s.level.half(row, 1));
+                      for (float* const x : {even, odd}) {
+                        row_kernels::settle(half.count, factor, magic, x);
+                      }
+                      const int first = 2 * half.first;
+                      row_kernels::add_gathered(std::min(2 * half.count, at.cols - first), 1.0f,
+                                                even, odd, total.row(row).data() + first);
                     }});
 }
 

@@ -35,6 +35,19 @@ TEST(Coarsened, HardlyWeakensABridge) {
   EXPECT_FLOAT_EQ(east(coarsened(fine, 0.1f), 1, 1), 1.0f / 1.75f);
 }
 
+TEST(Coarsened, WorksWhereEitherOfTwoRowsDoes) {
+  Mask mask(4, 400, 0);
+  for (int col = 150; col < 200; ++col) mask(0, col) = 1;
+  for (int col = 190; col < 330; ++col) mask(1, col) = 1;
+  PixelLevel fine = PixelLevel::of(mask);
+  const PixelLevel coarse = coarsened(fine, 0.1f);
+  // Blocks 75 to 164 are the cells 37 to 82 of either half of a coarse row.
+  EXPECT_EQ(coarse.stretch(0).first, 32);
+  EXPECT_EQ(coarse.stretch(0).last, 96);
+  EXPECT_EQ(coarse.stretch(1).last, 0);
+  EXPECT_EQ(east(coarse, 0, 120), 0.5f);
+}
+
 TEST(Coarsened, GivesBothSidesOfASlitANode) {
   // Levels below: a wall in columns 3 and 4 lies inside a block of 8.
   Mask mask(16, 16, 1);
