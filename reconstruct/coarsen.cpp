@@ -135,6 +135,7 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
       const int count = std::min(2 * half.count, fine.at.block - first);
       joined.join(fine, least_strength, row, first, count);
       joined.deal(coarse, row, count);
+      if (row_kernels::largest(count, joined.split.data()) == 0.0f) continue;
       for (int block = 0; block < std::min(count, at.cols - first); ++block) {
         if (joined.split[std::size_t(block)] == 0.0f) continue;
         split_cols[std::size_t(row)].push_back(first + block);

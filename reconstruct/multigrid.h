@@ -16,9 +16,9 @@ using CycleDone = std::function<void(int cycles, double error)>;
 
 /// Solves A x = right on a graph of pixels, A its Laplacian, matrix-free and in single precision.
 ///
-/// Full multigrid finds a first height; the residual is then formed from differences of neighbours,
-/// since the height of a large surface is rounded more coarsely than a residual may be; cycles on
-/// that residual find a correction, small enough for its roundings not to matter, and so on.
+/// Full multigrid finds a first height, and cycles correct it in place. Its residual is formed from
+/// differences of neighbours, since the height of a large surface is rounded more coarsely than a
+/// residual may be: both are multiples of one step, so that not a single sum rounds.
 ///
 /// All that a cycle does on a level between two visits of the coarser one runs as one wavefront
 /// over the rows, so a cycle costs little more than reading its arrays once. Should cycles alone

@@ -26,10 +26,6 @@ HADA_CLONES_AVX512 void add_times(int n, float factor, const float* x, float* __
   for (int i = 0; i < n; ++i) total[i] += factor * x[i];
 }
 
-HADA_CLONES_AVX512 void settle(int n, float factor, float magic, float* __restrict x) {
-  for (int i = 0; i < n; ++i) x[i] = (factor * x[i] + magic) - magic;
-}
-
 HADA_CLONES_AVX512 void deal(int n, const float* row, float* __restrict even,
                              float* __restrict odd) {
   for (int i = 0; i < n; ++i) {

@@ -25,8 +25,6 @@ void add_gathered(int n, float factor, const float* even, const float* odd, floa
 
 /// The largest |x|.
 float largest(int n, const float* x);
-/// x = (factor x + magic) - magic, which rounds to a multiple of magic / (3 * 2^22).
-void settle(int n, float factor, float magic, float* __restrict x);
 /// How many are above 0.
 std::size_t count_positive(std::size_t n, const std::uint8_t* x);
 std::size_t count_positive(std::size_t n, const float* x);

@@ -98,8 +98,9 @@ inline bool eight_are_even(const Corner& corner, int i) {
 
 // alive(place): which of eight fine cells there are.
 template <class Alive>
-[[gnu::always_inline]] inline void add_eights(int n, float* __restrict x, const Corner& even,
-                                              const Corner& odd, const Alive& alive) {
+[[gnu::always_inline]] inline void add_eights(int n, float factor, float* __restrict x,
+                                              const Corner& even, const Corner& odd,
+                                              const Alive& alive) {
   for (int i = 0; i < n; i += lane_count) {
     const bool plain = even.even && eight_are_even(even, i) && eight_are_even(odd, i);
     const Lanes a = plain ? carried_evenly(even, i) : carried(even, i);
@@ -107,8 +108,8 @@ template <class Alive>
     Lanes first = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
     Lanes second = __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
     float* const to = x + 2 * i;
-    first += load(to);
-    second += load(to + lane_count);
+    first = load(to) + factor * first;
+    second = load(to + lane_count) + factor * second;
     // All fine cells of an even one are there.
     store(to, plain ? first : chosen(alive(2 * i), first, all(0.0f)));
     store(to + lane_count, plain ? second : chosen(alive(2 * i + lane_count), second, all(0.0f)));
@@ -117,9 +118,10 @@ template <class Alive>
 
 }  // namespace
 
-HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const float* right,
-                              const std::uint8_t* code) {
-  for_relaxed(n, value, right, code, [=](int i, float relaxed) { x[i] = relaxed; });
+HADA_CLONES_AVX512 void relax(int n, float magic, float* __restrict x, const Around& value,
+                              const float* right, const std::uint8_t* code) {
+  for_relaxed(n, value, right, code,
+              [=](int i, float relaxed) { x[i] = (relaxed + magic) - magic; });
 }
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
@@ -128,10 +130,12 @@ HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, c
               [=](int i, float relaxed) { x[i] = relaxed; });
 }
 
-HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
-                                   const float* right, const std::uint8_t* code) {
-  for_relaxed(n, value, right, code,
-              [=](int i, float relaxed) { x[i] += factor * (relaxed - x[i]); });
+HADA_CLONES_AVX512 void over_relax(int n, float factor, float magic, float* __restrict x,
+                                   const Around& value, const float* right,
+                                   const std::uint8_t* code) {
+  for_relaxed(n, value, right, code, [=](int i, float relaxed) {
+    x[i] = ((x[i] + factor * (relaxed - x[i])) + magic) - magic;
+  });
 }
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
@@ -185,8 +189,8 @@ HADA_CLONES_AVX512 void residual(int n, float* __restrict out, const float* x, c
       });
 }
 
-HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
-                                       const Around& value, const std::uint8_t* code,
+HADA_CLONES_AVX512 void exact_residual(int n, float* out, const float* x, const Around& value,
+                                       const float* right, const std::uint8_t* code,
                                        const AroundCodes& around) {
   const float *const up = value.up, *const down = value.down;
   const float *const left = value.left, *const beyond = value.right;
@@ -196,7 +200,8 @@ HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const floa
       n, code, edge_code(4),
       [=](int i) {
         const float here = x[i];
-        rest[i] += ((up[i] - here) + (down[i] - here)) + ((left[i] - here) + (beyond[i] - here));
+        out[i] = right[i] +
+                 (((up[i] - here) + (down[i] - here)) + ((left[i] - here) + (beyond[i] - here)));
       },
       [=](int i) {
         const float here = x[i];
@@ -204,21 +209,21 @@ HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const floa
         const float dl = left[i] - here, dr = beyond[i] - here;
         const float vertical = (cu[i] ? du : 0.0f) + (cd[i] ? dd : 0.0f);
         const float level = (cl[i] ? dl : 0.0f) + (cr[i] ? dr : 0.0f);
-        const float sum = rest[i] + (vertical + level);
-        rest[i] = code[i] ? sum : 0.0f;
+        const float sum = right[i] + (vertical + level);
+        out[i] = code[i] ? sum : 0.0f;
       });
 }
 
-HADA_CLONES_AVX512 void subtract_image(int n, float* __restrict rest, const float* x,
-                                       const Around& value, const Around& weight) {
+HADA_CLONES_AVX512 void exact_residual(int n, float* out, const float* x, const Around& value,
+                                       const float* right, const Around& weight) {
   const float *const up = value.up, *const down = value.down;
   const float *const left = value.left, *const beyond = value.right;
   const float *const wu = weight.up, *const wd = weight.down;
   const float *const wl = weight.left, *const wr = weight.right;
   for (int i = 0; i < n; ++i) {
     const float here = x[i];
-    rest[i] += ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
-                (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
+    out[i] = right[i] + ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
+                         (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
   }
 }
 
@@ -236,16 +241,17 @@ HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::
   }
 }
 
-HADA_CLONES_AVX2 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
-                                  const std::uint8_t* alive) {
+HADA_CLONES_AVX2 void add_carried(int n, float factor, float* __restrict x, const Corner& even,
+                                  const Corner& odd, const std::uint8_t* alive) {
   add_eights(
-      n, x, even, odd, [=](int i) __attribute__((always_inline)) { return load_flags(alive + i); });
+      n, factor, x, even,
+      odd, [=](int i) __attribute__((always_inline)) { return load_flags(alive + i); });
 }
 
-HADA_CLONES_AVX2 void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
-                                  const float* alive) {
+HADA_CLONES_AVX2 void add_carried(int n, float factor, float* __restrict x, const Corner& even,
+                                  const Corner& odd, const float* alive) {
   add_eights(
-      n, x, even,
+      n, factor, x, even,
       odd, [=](int i) __attribute__((always_inline)) { return load(alive + i) > 0.0f; });
 }
 

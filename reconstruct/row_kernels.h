@@ -37,8 +37,9 @@ void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
 /// x = (right + sum of neighbours) / edges: Gauss-Seidel where every edge weighs 1.
 ///
 /// Values outside the mask are 0 and all neighbours in the mask are joined, so the sum needs no
-/// mask of its own. Pixels without edges become 0.
-void relax(int n, float* __restrict x, const Around& value, const float* right,
+/// mask of its own. Pixels without edges become 0. x is rounded to a multiple of
+/// magic / (3 * 2^22): (x + magic) - magic; not with a magic of 0.
+void relax(int n, float magic, float* __restrict x, const Around& value, const float* right,
            const std::uint8_t* code);
 /// The same with a weight on every edge; inverse is 1 over their sum, 0 for a lonely cell.
 ///
@@ -48,8 +49,8 @@ void relax(int n, float* __restrict x, const Around& value, const Around& weight
            const float* right, const float* inverse, const std::uint8_t* even);
 
 /// x += factor * (what `relax` would make of it - x): successive over-relaxation.
-void over_relax(int n, float factor, float* __restrict x, const Around& value, const float* right,
-                const std::uint8_t* code);
+void over_relax(int n, float factor, float magic, float* __restrict x, const Around& value,
+                const float* right, const std::uint8_t* code);
 void over_relax(int n, float factor, float* __restrict x, const Around& value, const Around& weight,
                 const float* right, const float* inverse, const std::uint8_t* even);
 
@@ -65,10 +66,10 @@ void residual(int n, float* __restrict out, const float* x, const Around& value,
 void residual(int n, float* __restrict out, const float* x, const Around& value,
               const Around& weight, const float* right, const float* inverse,
               const std::uint8_t* even);
-/// rest -= A x, from differences of neighbours, which hardly round at all.
-void subtract_image(int n, float* __restrict rest, const float* x, const Around& value,
+/// The same from differences of neighbours, which hardly round at all. `out` may be `right`.
+void exact_residual(int n, float* out, const float* x, const Around& value, const float* right,
                     const std::uint8_t* code, const AroundCodes& around);
-void subtract_image(int n, float* __restrict rest, const float* x, const Around& value,
+void exact_residual(int n, float* out, const float* x, const Around& value, const float* right,
                     const Around& weight);
 
 /// Half a row of coarse cells and what is next to them on one side, across and along.
@@ -83,12 +84,13 @@ struct Corner {
   const std::uint8_t* even;
 };
 
-/// x[j] += the value of coarse cell j carried to one of its corners, where `alive[j]` is not 0:
-/// v + f (v_across - v) + g (v_along - v), f and g = weight * reach, the share of the way between
-/// two cells that is covered at the corner; a quarter in an even lattice. n: a multiple of 8.
-void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
+/// x[j] += factor * the value of coarse cell j carried to one of its corners, where `alive[j]` is
+/// not 0: v + f (v_across - v) + g (v_along - v), f and g = weight * reach, the share of the way
+/// between two cells that is covered at the corner; a quarter in an even lattice. n: a multiple
+/// of 8.
+void add_carried(int n, float factor, float* __restrict x, const Corner& even, const Corner& odd,
                  const std::uint8_t* alive);
-void add_carried(int n, float* __restrict x, const Corner& even, const Corner& odd,
+void add_carried(int n, float factor, float* __restrict x, const Corner& even, const Corner& odd,
                  const float* alive);
 
 }  // namespace hada::row_kernels

@@ -28,8 +28,8 @@ void relax(const System& s, int row, int colour, float factor) {
   const float* const right = s.right + here;
   if (level.unit()) {
     const auto* const code = level.code.data() + here;
-    if (factor == 1.0f) return row_kernels::relax(n, x, values, right, code);
-    return row_kernels::over_relax(n, factor, x, values, right, code);
+    if (factor == 1.0f) return row_kernels::relax(n, s.magic, x, values, right, code);
+    return row_kernels::over_relax(n, factor, s.magic, x, values, right, code);
   }
   const auto weights = weights_around(level, half);
   const float* const inverse = level.inverse.data() + here;
@@ -84,20 +84,22 @@ void for_moved(const PixelLevel& level, int row, int colour, const Work& work) {
   }
 }
 
-void correct(const System& s, const PixelLevel& coarse, int row) {
+void correct(const System& s, const PixelLevel& coarse, float factor, int row) {
   const PixelLevel& level = s.level;
   const HalfRow half = half_of(level, row, black);
   const auto here = level.at.start(half);
   std::vector<float> moved;
   for_moved(level, row, black, [&](const PixelLevel::Moved& m) {
-    moved.push_back(s.x[m.cell] + coarse.value[std::size_t(m.parent)]);
+    moved.push_back(s.x[m.cell] + factor * coarse.value[std::size_t(m.parent)]);
   });
   const auto even = corner_of(coarse, half, 0);
   const auto odd = corner_of(coarse, half, 1);
   if (level.unit()) {
-    row_kernels::add_carried(half.count / 2, s.x + here, even, odd, level.code.data() + here);
+    row_kernels::add_carried(half.count / 2, factor, s.x + here, even, odd,
+                             level.code.data() + here);
   } else {
-    row_kernels::add_carried(half.count / 2, s.x + here, even, odd, level.inverse.data() + here);
+    row_kernels::add_carried(half.count / 2, factor, s.x + here, even, odd,
+                             level.inverse.data() + here);
   }
   auto next = moved.begin();
   for_moved(level, row, black, [&](const PixelLevel::Moved& m) { s.x[m.cell] = *next++; });
@@ -156,20 +158,50 @@ void restrict_red(const System& s, int row, PixelLevel& coarse) {
   });
 }
 
-void restrict_right(const PixelLevel& level, int row, PixelLevel& coarse) {
+// Of both halves of a row, which `values(half)` finds.
+template <class Values>
+void restrict_both(const PixelLevel& level, int row, PixelLevel& coarse, const Values& values) {
   restrict_rows(level, row, coarse, [&](int r, int first, int count, float* sums, auto& moved) {
-    const float* const right = level.right.data();
-    row_kernels::add(count, right + level.at.start({r, 0, first, count}),
-                     right + level.at.start({r, 1, first, count}), sums);
+    const float* const of[] = {values({r, 0, first, count}), values({r, 1, first, count})};
+    row_kernels::add(count, of[0], of[1], sums);
     for (const int colour : {red, black}) {
       const HalfRow half{r, half_of(level, r, colour).parity, first, count};
       for_moved(level, r, colour, [&](const PixelLevel::Moved& m) {
         const auto place = std::size_t(m.cell - level.at.start(half));
-        const float here = right[std::size_t(m.cell)];
+        const float here = of[half.parity][place];
         moved.emplace_back(m.parent, here);
         sums[place] -= here;
       });
     }
+  });
+}
+
+void restrict_right(const PixelLevel& level, int row, PixelLevel& coarse) {
+  restrict_both(level, row, coarse,
+                [&](const HalfRow& half) { return level.right.data() + level.at.start(half); });
+}
+
+void find_exact_residual(const System& s, const HalfRow& half, float* out) {
+  const PixelLevel& level = s.level;
+  const auto here = level.at.start(half);
+  const auto values = values_around(level, s.x, half);
+  if (level.unit()) {
+    row_kernels::exact_residual(half.count, out, s.x + here, values, s.right + here,
+                                level.code.data() + here, codes_around(level, half));
+  } else {
+    row_kernels::exact_residual(half.count, out, s.x + here, values, s.right + here,
+                                weights_around(level, half));
+  }
+}
+
+void restrict_exactly(const System& s, int row, PixelLevel& coarse) {
+  const auto block = std::size_t(s.level.at.block);
+  thread_local std::vector<float> halves;  // here for their memory alone
+  halves.resize(std::max(halves.size(), 2 * block));
+  restrict_both(s.level, row, coarse, [&](const HalfRow& half) {
+    float* const out = halves.data() + std::size_t(half.parity) * block;
+    find_exact_residual(s, half, out);
+    return out;
   });
 }
 
@@ -185,12 +217,17 @@ void add_sweep_from_zero(const System& s, float red_factor, std::vector<Stage>& 
   stages.push_back({1, [s](int row) { relax(s, row, black, 1.0f); }});
 }
 
-void add_correction(const System& s, const PixelLevel& coarse, std::vector<Stage>& stages) {
-  stages.push_back({1, [s, &coarse](int row) { correct(s, coarse, row); }});
+void add_correction(const System& s, const PixelLevel& coarse, float factor,
+                    std::vector<Stage>& stages) {
+  stages.push_back({1, [s, &coarse, factor](int row) { correct(s, coarse, factor, row); }});
 }
 
 void add_restriction(const System& s, PixelLevel& coarse, std::vector<Stage>& stages) {
   stages.push_back({2, [s, &coarse](int row) { restrict_red(s, row, coarse); }});
+}
+
+void add_exact_restriction(const System& s, PixelLevel& coarse, std::vector<Stage>& stages) {
+  stages.push_back({2, [s, &coarse](int row) { restrict_exactly(s, row, coarse); }});
 }
 
 void add_gathering(const PixelLevel& level, PixelLevel& coarse, std::vector<Stage>& stages) {
@@ -199,36 +236,21 @@ void add_gathering(const PixelLevel& level, PixelLevel& coarse, std::vector<Stag
 
 void add_subtraction(const System& s, std::vector<Stage>& stages) {
   stages.push_back({1, [s](int row) {
-                      const PixelLevel& level = s.level;
                       for (const int parity : {0, 1}) {
-                        const HalfRow half = level.half(row, parity);
-                        const auto here = level.at.start(half);
-                        const auto values = values_around(level, s.x, half);
-                        if (level.unit()) {
-                          row_kernels::subtract_image(half.count, s.right + here, s.x + here,
-                                                      values, level.code.data() + here,
-                                                      codes_around(level, half));
-                        } else {
-                          row_kernels::subtract_image(half.count, s.right + here, s.x + here,
-                                                      values, weights_around(level, half));
-                        }
+                        const HalfRow half = s.level.half(row, parity);
+                        find_exact_residual(s, half, s.right + s.level.at.start(half));
                       }
                     }});
 }
 
-void add_settling(const System& s, float factor, float magic, Grid<float>& total,
-                  std::vector<Stage>& stages) {
-  stages.push_back({1, [=, &total](int row) {
+void add_to(Grid<float>& total, const System& s, std::vector<Stage>& stages) {
+  stages.push_back({1, [s, &total](int row) {
                       const Dealt& at = s.level.at;
-                      const HalfRow half = s.level.half(row, 0);
-                      float* const even = s.x + at.start(half);
-                      float* const odd = s.x + at.start(s.level.half(row, 1));
-                      for (float* const x : {even, odd}) {
-                        row_kernels::settle(half.count, factor, magic, x);
-                      }
-                      const int first = 2 * half.first;
-                      row_kernels::add_gathered(std::min(2 * half.count, at.cols - first), 1.0f,
-                                                even, odd, total.row(row).data() + first);
+                      const HalfRow even = s.level.half(row, 0);
+                      const int first = 2 * even.first;
+                      row_kernels::add_gathered(
+                          std::min(2 * even.count, at.cols - first), 1.0f, s.x + at.start(even),
+                          s.x + at.start(s.level.half(row, 1)), total.row(row).data() + first);
                     }});
 }
 

@@ -8,12 +8,6 @@
 namespace hada {
 namespace {
 
-TEST(RowArithmetic, SettleToMultiples) {
-  std::vector<float> x{0.15f, -0.15f, 0.062f, 0.063f};
-  row_kernels::settle(4, 2.0f, 3.0f * 0x1p22f * 0.25f, x.data());
-  EXPECT_EQ(x, (std::vector<float>{0.25f, -0.25f, 0.0f, 0.25f}));
-}
-
 TEST(RowArithmetic, WhatWasDealtIsGathered) {
   for (const int size : {33, 34}) {
     std::vector<float> row(34, 0.0f);

@@ -1,5 +1,6 @@
 #include "reconstruct/row_kernels.h"
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@ TEST(RowKernels, RelaxToTheMeanOfTheNeighboursWhateverTheirNumber) {
   std::vector<float> x(n, 9.0f);
   std::vector<std::uint8_t> code(n);
   for (int i = 0; i < n; ++i) code[std::size_t(i)] = row_kernels::edge_code(i % 5);
-  row_kernels::relax(n, x.data(), {one.data(), two.data(), three.data(), zero.data()}, zero.data(),
-                     code.data());
+  row_kernels::relax(n, 0.0f, x.data(), {one.data(), two.data(), three.data(), zero.data()},
+                     zero.data(), code.data());
   for (int i = 0; i < n; ++i) {
     const int edges = i % 5;  // 1 over them is exact, or rounded as a division is
     EXPECT_EQ(x[std::size_t(i)], edges == 0 ? 0.0f : 6.0f * (1.0f / float(edges))) << edges;
@@ -30,13 +31,30 @@ TEST(RowKernels, OverRelaxBeyondWhereTheEquationHolds) {
   const row_kernels::Around around{one.data(), one.data(), one.data(), one.data()};
   std::vector<float> x(n, 2.0f), weighted(n, 2.0f), fresh(n, 9.0f);
   // The equation holds at (8 + 4) / 4 = 3: one beyond 2, half of that further with a factor of 1.5.
-  row_kernels::over_relax(n, 1.5f, x.data(), around, eight.data(), code.data());
+  row_kernels::over_relax(n, 1.5f, 0.0f, x.data(), around, eight.data(), code.data());
   row_kernels::over_relax(n, 1.5f, weighted.data(), around, around, eight.data(), quarter.data(),
                           nullptr);
   row_kernels::relax_from_zero(n, 1.5f, fresh.data(), eight.data(), code.data());
   EXPECT_EQ(x, std::vector<float>(n, 3.5f));
   EXPECT_EQ(weighted, x);
   EXPECT_EQ(fresh, std::vector<float>(n, 3.0f));
+}
+
+TEST(RowKernels, RoundWhatTheyRelaxToMultiples) {
+  constexpr int n = 20;
+  constexpr float step = 0.25f;
+  const std::vector<float> zero(n, 0.0f);
+  const std::vector<std::uint8_t> code(n, row_kernels::edge_code(4));
+  const row_kernels::Around around{zero.data(), zero.data(), zero.data(), zero.data()};
+  std::vector<float> right(n), x(n, 9.0f), over(n, 0.0f);
+  for (int i = 0; i < n; ++i) right[std::size_t(i)] = 0.37f * float(i - 10);
+  row_kernels::relax(n, 3.0f * 0x1p22f * step, x.data(), around, right.data(), code.data());
+  row_kernels::over_relax(n, 1.5f, 3.0f * 0x1p22f * step, over.data(), around, right.data(),
+                          code.data());
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_EQ(x[i], step * std::nearbyint(0.25f * right[i] / step)) << i;
+    EXPECT_EQ(over[i], step * std::nearbyint(1.5f * (0.25f * right[i]) / step)) << i;
+  }
 }
 
 TEST(RowKernels, GiveTheSameBytesWhetherEvenCellsAreMarkedOrNot) {
@@ -65,7 +83,7 @@ TEST(RowKernels, GiveTheSameBytesWhetherEvenCellsAreMarkedOrNot) {
         value.data(),     value.data() + 1, one.data(),     quarter.data(),
         value.data() + 2, one.data(),       quarter.data(), marks};
     const std::vector<float> alive(2 * n, 1.0f);
-    row_kernels::add_carried(n, carried.data(), corner, corner, alive.data());
+    row_kernels::add_carried(n, 1.5f, carried.data(), corner, corner, alive.data());
     for (const auto* part : {&x, &over, &rest, &carried}) found.push_back(*part);
   }
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(found[i], found[i + 4]);
@@ -85,15 +103,18 @@ TEST(RowKernels, AgreeOnResidualsWithAndWithoutWeights) {
   const std::vector<float> ones(n, 1.0f);
   const std::vector<std::uint8_t> code(n, row_kernels::edge_code(4));
   const row_kernels::Around around{up.data(), down.data(), left.data(), right.data()};
-  std::vector<float> plain(n), weighted(n), subtracted = rhs;
+  std::vector<float> plain(n), weighted(n), exact(n), exact_weighted = rhs;
   row_kernels::residual(n, plain.data(), x.data(), around, rhs.data(), code.data());
   row_kernels::residual(n, weighted.data(), x.data(), around,
                         {ones.data(), ones.data(), ones.data(), ones.data()}, rhs.data(),
                         ones.data(), nullptr);
-  row_kernels::subtract_image(n, subtracted.data(), x.data(), around, code.data(),
+  row_kernels::exact_residual(n, exact.data(), x.data(), around, rhs.data(), code.data(),
                               {code.data(), code.data(), code.data(), code.data()});
+  row_kernels::exact_residual(n, exact_weighted.data(), x.data(), around, exact_weighted.data(),
+                              {ones.data(), ones.data(), ones.data(), ones.data()});
   EXPECT_EQ(plain, weighted);  // small whole numbers: nothing is rounded
-  EXPECT_EQ(plain, subtracted);
+  EXPECT_EQ(plain, exact);
+  EXPECT_EQ(plain, exact_weighted);  // in place
 }
 
 TEST(RowKernels, CountTheEdgesOfEveryPixelOfAMask) {

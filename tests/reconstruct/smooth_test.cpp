@@ -59,18 +59,45 @@ TEST(Smooth, FromZeroIsASweepOfZeros) {
   EXPECT_EQ(fresh, x);
 }
 
-TEST(Smooth, SettlesAllCellsAndAddsThemUp) {
+TEST(Smooth, AddsItsCellsToAMap) {
   PixelLevel level = some_level();
-  Cells x = level.right;
   Grid<float> total(6, 7, 5.0f);
   std::vector<Stage> stages;
-  add_settling({level, x.data(), nullptr}, 1.5f, 3.0f * 0x1p22f, total, stages);
+  add_to(total, {level, level.right.data(), nullptr}, stages);
   run(level, stages);
   for (int row = 0; row < 6; ++row) {
     for (int col = 0; col < 7; ++col) {
-      const auto cell = std::size_t(level.at.cell(row, col));
-      EXPECT_EQ(x[cell], std::nearbyint(1.5f * level.right[cell]));
-      EXPECT_EQ(total(row, col), 5.0f + x[cell]);
+      EXPECT_EQ(total(row, col), 5.0f + level.right[std::size_t(level.at.cell(row, col))]);
+    }
+  }
+}
+
+TEST(Smooth, RestrictsTheExactResidualOfALargeHeight) {
+  // A slope of 1/8 on a height of 4096: its residual is that of the slope, without any rounding.
+  PixelLevel level = some_level();
+  Cells x(level.nodes(), 0.0f), rest = level.right;
+  for (int row = 0; row < 6; ++row) {
+    for (int col = 0; col < 7; ++col) {
+      x[std::size_t(level.at.cell(row, col))] = 4096.0f + 0.125f * float(row * row - 2 * col);
+    }
+  }
+  PixelLevel coarse;
+  coarse.at = Dealt(3, 4);
+  coarse.right.assign(coarse.at.size(), 0.0f);
+  std::vector<Stage> stages;
+  add_exact_restriction({level, x.data(), level.right.data()}, coarse, stages);
+  run(level, stages);
+  stages.clear();
+  add_subtraction({level, x.data(), rest.data()}, stages);
+  run(level, stages);
+  const auto at = [&](int row, int col) { return std::size_t(level.at.cell(row, col)); };
+  // Inside: 1/8 of the second difference, 2, along the columns.
+  EXPECT_EQ(rest[at(2, 3)], level.right[at(2, 3)] + 0.25f);
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) {
+      EXPECT_EQ(coarse.right[std::size_t(coarse.at.cell(row, col))],
+                (rest[at(2 * row, 2 * col)] + rest[at(2 * row, 2 * col + 1)]) +
+                    (rest[at(2 * row + 1, 2 * col)] + rest[at(2 * row + 1, 2 * col + 1)]));
     }
   }
 }
