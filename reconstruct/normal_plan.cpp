@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -123,7 +124,33 @@ float possible_bounce(float coefficient, const Tile& tile) {
   return bright > 0.0 ? std::clamp(coefficient, 0.0f, float(1.0 / bright)) : 0.0f;
 }
 
-SharedTerms shared_terms(Tile& tile, SharedModel model) {
+double turn_by_bounce(Tile tile) {
+  const auto normals_of = [](const Tile& t) {
+    std::vector<Eigen::Vector3d> normals;
+    for (std::size_t i = 0; i < std::size_t(t.pixels); ++i) {
+      normals.push_back(Eigen::Vector3d(t.x[i], t.y[i], t.z[i]).normalized());
+    }
+    return normals;
+  };
+  const std::vector<Eigen::Vector3d> before = normals_of(tile);
+  SharedTerms terms;
+  terms.bounce = 0.5f * possible_bounce(std::numeric_limits<float>::max(), tile);
+  take_off(tile, terms);
+  refit_biweight(tile);
+  const std::vector<Eigen::Vector3d> after = normals_of(tile);
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double square = (after[i] - before[i]).squaredNorm();
+    if (!std::isfinite(square)) continue;
+    squares += square;
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
+// untold_bounce  see `NormalPlan`
+SharedTerms shared_terms(Tile& tile, SharedModel model, double& untold_bounce) {
   model.curve = tile.lights >= curve_lights;
   model.bounce = !tile.bounce.empty();
   SharedTerms terms;
@@ -136,8 +163,10 @@ SharedTerms shared_terms(Tile& tile, SharedModel model) {
         return fit_shared_terms(tile, without).misfit - all_terms.misfit;
       };
       model.curve = model.curve && gain_of(&SharedModel::curve) > worthwhile;
-      model.bounce =
-          model.bounce && gain_of(&SharedModel::bounce) * all_terms.freedom > significant;
+      if (model.bounce && gain_of(&SharedModel::bounce) * all_terms.freedom < significant) {
+        model.bounce = false;
+        untold_bounce = turn_by_bounce(tile);
+      }
     }
     terms = fit_shared_terms(tile, model).terms;
     terms.bounce = possible_bounce(terms.bounce, tile);
@@ -167,7 +196,7 @@ NormalPlan plan_normals(const TileSource& source, Estimator estimator) {
     for (const Light& light : source.stack.lights) {
       model.light_sigma.push_back(std::max(light.direction_sigma, least_light_sigma));
     }
-    plan.terms = shared_terms(tile, std::move(model));
+    plan.terms = shared_terms(tile, std::move(model), plan.untold_bounce);
     plan.shared = plan.terms.curved() || plan.terms.bounce != 0.0f;
     if (plan.shared) tile.noise = noise_law(tile);
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,9 @@ namespace {
 constexpr double least_spread = 0.02;  // as in `Inverse`
 constexpr float right_angle = float(std::numbers::pi / 2.0);
 constexpr int pixels_together = 1 << 18;  // that robust_pca takes at once
+// Of the turn of a normal by light that other parts of the surface threw: it was worked out for the
+// shape that was found so far, as if that were matte and equally bright on all sides.
+constexpr float bounce_doubt = 0.5f;
 
 // The condition of all directions together; three that span space are what everything rests on.
 double checked_condition(const LightStack& stack) {
@@ -87,30 +91,48 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+// The same solution, with the light that other parts of the surface throw left on the samples.
+NormalMaps with_bounced_light(const LightStack& stack, const NormalOptions& options,
+                              NormalPlan plan) {
+  plan.terms.bounce = 0.0f;
+  NormalMaps maps(stack, true);
+  solve_all(source_of(stack, options), plan, true, maps);
+  return maps;
+}
+
 // Variance of the normals, per tangent axis, that lies in the choice of their estimator: by how
 // much they differ from those of another that believes other samples, beyond what noise and the
 // errors of the lights do to the difference. The variance of a difference to an efficient estimator
-// is the difference of the variances (J. A. Hausman, Econometrica 46, 1978).
+// is the difference of the variances (J. A. Hausman, Econometrica 46, 1978). The other one knows of
+// no bounced light, so it is compared with what would have been found without; what that light
+// makes of the normals is in doubt on its own.
 Grid<float> model_variance(const LightStack& stack, const NormalOptions& options,
-                           const NormalMaps& maps, const Grid<float>& sample_variance) {
+                           const NormalPlan& plan, const NormalMaps& maps,
+                           const Grid<float>& sample_variance) {
   NormalOptions other = options;
   other.estimator =
       options.estimator == Estimator::trimmed ? Estimator::biweight : Estimator::trimmed;
   const TileSource source = source_of(stack, other);
   NormalMaps others(stack, true);
   solve_all(source, plan_normals(source, other.estimator), true, others);
+  std::optional<NormalMaps> bounced;
+  if (plan.terms.bounce != 0.0f) bounced = with_bounced_light(stack, options, plan);
+  const NormalMaps& alike = bounced ? *bounced : maps;
+  const auto turn = [](const NormalMaps& a, const NormalMaps& b, std::size_t i) {
+    return 0.5f * (a.orientation.normals[i] - b.orientation.normals[i]).squaredNorm();
+  };
   // All pixels share the errors of the lights, so pooling leaves what one draw of them does: up to
   // the quantile 0.99 of chi-squared with one degree of freedom is no sign of a wrong model.
   constexpr float highest = 6.635f;
   Grid<float> squares(stack.mask.rows(), stack.mask.cols());
   Grid<float> count = squares;
   for (std::size_t i = 0; i < count.size(); ++i) {
-    if (!maps.orientation.mask[i] || !others.orientation.mask[i]) continue;
-    const float turn = (maps.orientation.normals[i] - others.orientation.normals[i]).squaredNorm();
-    const float gain = std::abs(others.noise_gain[i] - maps.noise_gain[i]);
-    const float lights = std::abs(others.light_variance[i] - maps.light_variance[i]);
-    const float square = 0.5f * turn - sample_variance[i] * gain - highest * lights;
-    if (!std::isfinite(square)) continue;
+    if (!alike.orientation.mask[i] || !others.orientation.mask[i]) continue;
+    const float gain = std::abs(others.noise_gain[i] - alike.noise_gain[i]);
+    const float lights = std::abs(others.light_variance[i] - alike.light_variance[i]);
+    const float chosen = turn(alike, others, i) - sample_variance[i] * gain - highest * lights;
+    const float square = chosen + bounce_doubt * bounce_doubt * turn(maps, alike, i);
+    if (!maps.orientation.mask[i] || !std::isfinite(square)) continue;
     squares[i] = square;
     count[i] = 1.0f;
   }
@@ -137,8 +159,8 @@ float place_variance(const Orientation& found, int row, int col) {
   return 0.5f * place_sigma_px * place_sigma_px * (turn(0, 1) + turn(1, 0));
 }
 
-void judge_all(const LightStack& stack, const NormalOptions& options, const LightSums& sums,
-               const NormalMaps& maps, Orientation& found) {
+void judge_all(const LightStack& stack, const NormalOptions& options, const NormalPlan& plan,
+               const LightSums& sums, const NormalMaps& maps, Orientation& found) {
   found.relighting_error = relative(sum_of(sums.used), sum_of(sums.used_picture));
   found.left_out_error = relative(sum_of(sums.left_out), sum_of(sums.picture));
   for (std::size_t k = 0; k < sums.picture.size(); ++k) {
@@ -146,7 +168,7 @@ void judge_all(const LightStack& stack, const NormalOptions& options, const Ligh
   }
   found.noise = typical_noise(maps.residuals);
   const Grid<float> variance = local_variance(maps.residuals, found.noise);
-  const Grid<float> model = model_variance(stack, options, maps, variance);
+  const Grid<float> model = model_variance(stack, options, plan, maps, variance);
   found.normal_sigma = Grid<float>(variance.rows(), variance.cols());
   found.albedo_sigma = found.normal_sigma;
   for_each_index(variance.rows(), [&](int row) {
@@ -179,7 +201,8 @@ Orientation solve_normals(const LightStack& stack, const NormalOptions& options)
   if (found.albedo.empty()) found.albedo = Image(found.rho);
   found.condition = condition;
   found.terms = plan.terms;
-  if (options.uncertainty) judge_all(stack, options, sums, maps, found);
+  found.untold_bounce = plan.untold_bounce;
+  if (options.uncertainty) judge_all(stack, options, plan, sums, maps, found);
   return std::move(found);
 }
 

@@ -21,12 +21,13 @@ struct NormalOptions {
 
 /// What the pictures say about orientation and reflectance, pixel by pixel.
 struct Orientation {
-  NormalMap normals;       // unit length, z > 0
-  Image albedo;            // linear, the planes of the pictures
-  Mask mask;               // the stack's mask without the pixels that could not be solved
-  Grid<float> rho;         // the albedo in grey, as the normals were found with
-  SharedTerms terms;       // what was taken off all pixels, all 0 but for `adaptive`
-  double condition = 0.0;  // of the matrix of light directions; 1 is ideal
+  NormalMap normals;           // unit length, z > 0
+  Image albedo;                // linear, the planes of the pictures
+  Mask mask;                   // the stack's mask without the pixels that could not be solved
+  Grid<float> rho;             // the albedo in grey, as the normals were found with
+  SharedTerms terms;           // what was taken off all pixels, all 0 but for `adaptive`
+  double condition = 0.0;      // of the matrix of light directions; 1 is ideal
+  double untold_bounce = 0.0;  // as in `NormalPlan`; no sigma knows of it
 
   Grid<float> normal_sigma;       // (u) radians, root mean square of the two tangent axes
   Grid<float> albedo_sigma;       // (u) of `rho`

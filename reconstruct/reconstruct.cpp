@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ constexpr double poor_relighting_error = 0.10;  // a tenth of the picture is not
 constexpr int few_inliers = 5;                  // two more than the unknowns
 constexpr double odd_light = 3.0;               // times the typical error
 constexpr std::size_t few_lights = 6;           // fewer, and one sheen or shadow decides a normal
+constexpr double notable_turn = 0.003;          // rad, of normals by light that is not told
 constexpr double least_slope = 0.05;            // mean; flatter, the surface hardly sees itself
 constexpr int bounce_passes = 3;  // each leaves a third of the error of the one before
 constexpr int near_passes = 2;
@@ -108,6 +110,13 @@ void remark_on_terms(const Orientation& found, std::vector<std::string>& remarks
         "Light that the surface throws on itself was taken off; it is as strong as an albedo of "
         "{:.2f} would send.",
         double(terms.bounce) * mean_albedo(found)));
+  } else if (found.untold_bounce > notable_turn) {
+    remarks.push_back(fmt::format(
+        "Light that folds throw on each other cannot be told from their shape in these pictures. "
+        "If the surface sends half of it back, the normals are off by about {:.1f} deg, which "
+        "their uncertainties do not know of; lower lights, whose shadows reach into the folds, "
+        "would tell.",
+        found.untold_bounce * 180.0 / std::numbers::pi));
   }
 }
 
@@ -195,6 +204,7 @@ Orientation orientation_of(const LightStack& stack, Estimator estimator) {
   const bool folded = estimator == Estimator::adaptive;
   Grid<float> height;
   Bounce bounce;
+  double untold_bounce = 0.0;
   if (near || folded) {
     Orientation found = solve_normals(stack, options);
     const bool bounces = folded && mean_slope(found) > least_slope;
@@ -206,6 +216,7 @@ Orientation orientation_of(const LightStack& stack, Estimator estimator) {
       }
       if (bounces && pass > 0 && found.terms.bounce == 0.0f) {  // nothing of it in the pictures
         options.bounce = nullptr;
+        untold_bounce = found.untold_bounce;
         if (!near || pass >= near_passes) break;
       }
       if (std::count(found.mask.begin(), found.mask.end(), 1) == 0) break;
@@ -218,7 +229,9 @@ Orientation orientation_of(const LightStack& stack, Estimator estimator) {
     }
   }
   options.uncertainty = true;
-  return solve_normals(stack, options);
+  Orientation found = solve_normals(stack, options);
+  if (!options.bounce) found.untold_bounce = untold_bounce;
+  return found;
 }
 
 // How much the slope of each pixel counts: 1 over its variance, to which every pixel brings as much

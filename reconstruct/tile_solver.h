@@ -16,6 +16,9 @@ struct NormalPlan {
   NoiseLaw noise;
   SharedTerms terms;
   bool shared = false;  // whether `terms` are taken off
+  // By how much bounced light from an albedo of 1/2 would turn the normals, rad, root mean square,
+  // where the samples do not tell how strong it is; 0 where they do, and where it is not sought.
+  double untold_bounce = 0.0;
 };
 
 /// Solves tiles, one after another, with room of its own: one for each thread.

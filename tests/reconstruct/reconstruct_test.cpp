@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "folds.h"
 #include "scenes.h"
 
 namespace hada {
@@ -26,7 +27,9 @@ TEST(Reconstruct, ReturnsTheReliefItWasPicturedFrom) {
   // Trapezoidal steps: z''' / 12 adds up to a change of z'' / 12, and z'' is at most 0.1.
   EXPECT_LT(rms_difference(found.surface.height, relief.height, found.surface.mask), 0.1 / 12.0);
   EXPECT_EQ(found.surface.levelling, "offset");
-  EXPECT_EQ(found.remarks, std::vector<std::string>());
+  // No light goes between these waves, and no picture tells.
+  ASSERT_EQ(found.remarks.size(), 1u);
+  EXPECT_TRUE(any_says(found.remarks, "cannot be told from their shape"));
 }
 
 TEST(Reconstruct, ErrsAsMuchInHeightAsItSays) {
@@ -91,6 +94,56 @@ TEST(Reconstruct, SaysWhenTheSurfaceIsNotMatte) {
   LightStack stack = pictures_of(waves(20, 20), ring_of_lights(6));
   for (float& value : stack.images[1].planes[0]) value += 0.5f;
   EXPECT_TRUE(any_says(reconstruct(stack).remarks, "matte surface"));
+}
+
+struct OfNormals {
+  double error = 0.0;      // mean, rad
+  double within_90 = 0.0;  // share of the pixels that 90 % intervals hold
+};
+
+// Away from the rim: there folds end that are endless in the pictures.
+OfNormals of_normals(const Surface& surface, const Relief& relief) {
+  const double ninety = std::sqrt(-2.0 * std::log(0.1));  // of two tangent axes
+  constexpr int rim = 25;
+  OfNormals found;
+  double count = 0.0;
+  for (int row = rim; row + rim < relief.extent.rows; ++row) {
+    for (int col = rim; col + rim < relief.extent.cols; ++col) {
+      if (!surface.mask(row, col)) continue;
+      const Eigen::Vector3f n = surface.normals(row, col);
+      const Eigen::Vector3f truth =
+          relief.normals(row + surface.offset_px.y(), col + surface.offset_px.x());
+      const double error = std::atan2(double(n.cross(truth).norm()), double(n.dot(truth)));
+      found.error += error;
+      found.within_90 += error < ninety * double(surface.normal_sigma(row, col));
+      count += 1.0;
+    }
+  }
+  return {found.error / count, found.within_90 / count};
+}
+
+TEST(Reconstruct, TakesLightBetweenFoldsOffAndDoubtsAPartOfIt) {
+  for (const Seed seed : {1u, 3u}) {
+    const Relief relief = folds(110, 180, 1.6, seed);
+    const LightStack stack = pictures_with_bounce(relief, 0.7, seed);
+    const Reconstruction found = reconstruct(stack);
+    const OfNormals plain =
+        of_normals(reconstruct(stack, {.estimator = Estimator::biweight}).surface, relief);
+    const OfNormals ours = of_normals(found.surface, relief);
+    EXPECT_LT(ours.error, 0.2 * plain.error);
+    // The strips send and receive as the model says, so what is doubted is more than is wrong.
+    EXPECT_GT(ours.within_90, 0.85);
+  }
+}
+
+TEST(Reconstruct, SaysWhenLightBetweenFoldsCannotBeTold) {
+  // Every strip of these folds is lit in every picture: what they throw on each other is then
+  // linear in the direction of the light, as the picture of another shape would be.
+  const Relief relief = folds(110, 180, 0.7, 2);
+  const Reconstruction found = reconstruct(pictures_with_bounce(relief, 0.5, 2));
+  EXPECT_TRUE(any_says(found.remarks, "cannot be told from their shape"));
+  const double told = of_normals(found.surface, relief).error;
+  EXPECT_GT(told, 0.01);  // and it does turn the normals
 }
 
 TEST(Reconstruct, SaysWhenRegionsAreSeparate) {
