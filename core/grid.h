@@ -71,6 +71,16 @@ class Grid {
   auto begin() const { return values_.begin(); }
   auto end() const { return values_.end(); }
 
+  /// Keeps the first rows * cols values, where they are.
+  void shrink_to(int rows, int cols) {
+    assert(rows >= 0 && cols >= 0);
+    const std::size_t count = std::size_t(rows) * std::size_t(cols);
+    assert(count <= values_.size());
+    values_.erase(values_.begin() + std::ptrdiff_t(count), values_.end());
+    rows_ = rows;
+    cols_ = cols;
+  }
+
   bool operator==(const Grid&) const = default;
 
  private:

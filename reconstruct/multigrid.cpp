@@ -77,6 +77,17 @@ void add_times(const Dealt& at, double factor, const Cells& x, Grid<float>& tota
   });
 }
 
+// Out of the order of `Dealt`, in the same memory: a row never comes to lie where one is that is
+// still to be moved.
+void undeal(const Dealt& at, Grid<float>& values) {
+  float* const data = values.data();
+  for (int row = 0; row < at.rows; ++row) {
+    row_kernels::gather(at.cols, data + at.start(row, 0), data + at.start(row, 1),
+                        data + std::ptrdiff_t(row) * at.cols);
+  }
+  values.shrink_to(at.rows, at.cols);
+}
+
 }  // namespace
 
 Multigrid::Multigrid(PixelLevel finest) {
@@ -203,18 +214,19 @@ double Multigrid::coarse_size() const {
 
 Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const CycleDone& done) {
   PixelLevel& level = levels_.front();
+  const Dealt& at = level.at;
   Solution solution;
-  level.value = Cells(level.nodes(), level.memory());
-  solution.value = Grid<float>(level.at.rows, level.at.cols, 0.0f, level.memory());
   if (levels_.size() == 1) {
+    level.value = Cells(level.nodes(), level.memory());
     coarsest_->solve(level);
+    solution.value = Grid<float>(at.rows, at.cols, 0.0f, level.memory());
     add_times(level.at, 1.0, level.value, solution.value);
     return solution;
   }
   visited_twice_ = 0;
-  System system = system_of(level);
-  system.magic = magic_;
   find_first();
+  solution.value = Grid<float>(at.rows + 2, int(at.stride()), 0.0f, level.memory());
+  const System system{level, solution.value.data(), level.right.data(), magic_};
   double last = 0.0;
   double rate = 1.0;
   while (true) {
@@ -225,9 +237,9 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     const bool slowly = solution.cycles > 1 && rate > slow;
     const bool end = (!first && solution.error < tolerance) || solution.cycles == max_cycles;
     if (end || slowly) {
-      add_to(solution.value, system, stages);
       if (!end) add_subtraction(system, stages);
       run(0, stages);
+      undeal(at, solution.value);
       if (!end) conjugate_steps(tolerance, max_cycles, done, solution);
       return solution;
     }
@@ -261,6 +273,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDon
   constexpr std::size_t remembered = 3;
   PixelLevel& level = levels_.front();
   visited_twice_ = 0;
+  level.value = Cells(level.nodes(), level.memory());
   std::vector<Direction> directions;
   const double careful = std::min(tolerance, careful_tolerance);
   double last = 0.0;

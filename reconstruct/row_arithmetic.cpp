@@ -42,6 +42,15 @@ HADA_CLONES_AVX512 void deal(int n, const std::uint8_t* row, std::uint8_t* __res
   }
 }
 
+HADA_CLONES_AVX512 void gather(int n, const float* even, const float* odd, float* __restrict row) {
+  const int pairs = n / 2;
+  for (int i = 0; i < pairs; ++i) {
+    row[2 * i] = even[i];
+    row[2 * i + 1] = odd[i];
+  }
+  if (n % 2 == 1) row[n - 1] = even[pairs];
+}
+
 HADA_CLONES_AVX512 void add_gathered(int n, float factor, const float* even, const float* odd,
                                      float* __restrict row) {
   const int pairs = n / 2;

@@ -20,6 +20,8 @@ void subtract(int n, float off, float* __restrict x);
 void deal(int n, const float* row, float* __restrict even, float* __restrict odd);
 void deal(int n, const std::uint8_t* row, std::uint8_t* __restrict even,
           std::uint8_t* __restrict odd);
+/// row[2 i] = even[i], row[2 i + 1] = odd[i]; n values of a row.
+void gather(int n, const float* even, const float* odd, float* __restrict row);
 /// row[2 i] += factor even[i], row[2 i + 1] += factor odd[i]; n values of a row.
 void add_gathered(int n, float factor, const float* even, const float* odd, float* __restrict row);
 

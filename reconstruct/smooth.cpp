@@ -243,15 +243,4 @@ void add_subtraction(const System& s, std::vector<Stage>& stages) {
                     }});
 }
 
-void add_to(Grid<float>& total, const System& s, std::vector<Stage>& stages) {
-  stages.push_back({1, [s, &total](int row) {
-                      const Dealt& at = s.level.at;
-                      const HalfRow even = s.level.half(row, 0);
-                      const int first = 2 * even.first;
-                      row_kernels::add_gathered(
-                          std::min(2 * even.count, at.cols - first), 1.0f, s.x + at.start(even),
-                          s.x + at.start(s.level.half(row, 1)), total.row(row).data() + first);
-                    }});
-}
-
 }  // namespace hada

@@ -46,9 +46,6 @@ void add_exact_restriction(const System& system, PixelLevel& coarse, std::vector
 /// right of the coarser level = right, added up over blocks: the residual where x is 0.
 void add_gathering(const PixelLevel& level, PixelLevel& coarse, std::vector<Stage>& stages);
 
-/// total += x; `total` is no longer dealt.
-void add_to(Grid<float>& total, const System& system, std::vector<Stage>& stages);
-
 /// right -= A x, at all cells, from differences of neighbours.
 void add_subtraction(const System& system, std::vector<Stage>& stages);
 

@@ -30,6 +30,16 @@ TEST(Grid, IsEmptyUntilItHasASize) {
   EXPECT_EQ(Grid<float>(2, 2, 1.5f)(1, 1), 1.5f);
 }
 
+TEST(Grid, ShrinksInPlace) {
+  Grid<int> grid = numbered(3, 4);
+  const int* const before = grid.data();
+  grid.shrink_to(2, 3);
+  EXPECT_EQ(grid.size(), 6u);
+  EXPECT_EQ(grid(1, 0), 3);
+  EXPECT_EQ(grid(1, 1), 10);
+  EXPECT_EQ(grid.data(), before);
+}
+
 TEST(Grid, CropsARectangle) {
   const Grid<int> part = crop(numbered(5, 6), 1, 2, 3, 2);
   EXPECT_EQ(part.rows(), 3);

@@ -16,6 +16,10 @@ TEST(RowArithmetic, WhatWasDealtIsGathered) {
     row_kernels::deal(17, row.data(), even.data(), odd.data());
     EXPECT_EQ(even[3], 6.0f);
     EXPECT_EQ(odd[3], 7.0f);
+    std::vector<float> back(34, -1.0f);
+    row_kernels::gather(size, even.data(), odd.data(), back.data());
+    row[33] = size == 34 ? 33.0f : -1.0f;
+    EXPECT_EQ(back, row);
     row_kernels::add_gathered(size, 2.0f, even.data(), odd.data(), again.data());
     for (int i = 0; i < 34; ++i) {
       EXPECT_EQ(again[std::size_t(i)], i < size ? float(1 + 2 * i) : 1.0f);

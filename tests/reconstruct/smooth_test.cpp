@@ -59,19 +59,6 @@ TEST(Smooth, FromZeroIsASweepOfZeros) {
   EXPECT_EQ(fresh, x);
 }
 
-TEST(Smooth, AddsItsCellsToAMap) {
-  PixelLevel level = some_level();
-  Grid<float> total(6, 7, 5.0f);
-  std::vector<Stage> stages;
-  add_to(total, {level, level.right.data(), nullptr}, stages);
-  run(level, stages);
-  for (int row = 0; row < 6; ++row) {
-    for (int col = 0; col < 7; ++col) {
-      EXPECT_EQ(total(row, col), 5.0f + level.right[std::size_t(level.at.cell(row, col))]);
-    }
-  }
-}
-
 TEST(Smooth, RestrictsTheExactResidualOfALargeHeight) {
   // A slope of 1/8 on a height of 4096: its residual is that of the slope, without any rounding.
   PixelLevel level = some_level();
