@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "core/parallel.h"
 #include "reconstruct/coarsen.h"
+#include "reconstruct/dealt_arithmetic.h"
 #include "reconstruct/extra_nodes.h"
-#include "reconstruct/row_arithmetic.h"
 #include "reconstruct/smooth.h"
 
 namespace hada {
@@ -46,46 +44,6 @@ System system_of(PixelLevel& level) {
 
 void clear_extras(const PixelLevel& level, Cells& values) {
   std::fill(values.begin() + std::ptrdiff_t(level.at.size()), values.end(), 0.0f);
-}
-
-// The sum over all rows of `work(row)`, formed in row order.
-template <class Work>
-double sum_of_rows(int rows, const Work& work) {
-  std::vector<double> sums(std::size_t(rows), 0.0);
-  for_each_index(rows, [&](int row) { sums[std::size_t(row)] = work(row); });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
-double dot(const Dealt& at, const Cells& a, const Cells& b) {
-  return sum_of_rows(at.rows, [&](int row) {
-    const auto first = at.start(row, 0);
-    return row_kernels::dot(int(at.stride()), a.data() + first, b.data() + first);
-  });
-}
-
-void add_times(const Dealt& at, double factor, const Cells& x, Cells& total) {
-  for_each_index(at.rows, [&](int row) {
-    const auto first = at.start(row, 0);
-    row_kernels::add_times(int(at.stride()), float(factor), x.data() + first, total.data() + first);
-  });
-}
-
-void add_times(const Dealt& at, double factor, const Cells& x, Grid<float>& total) {
-  for_each_index(at.rows, [&](int row) {
-    row_kernels::add_gathered(at.cols, float(factor), x.data() + at.start(row, 0),
-                              x.data() + at.start(row, 1), total.row(row).data());
-  });
-}
-
-// Out of the order of `Dealt`, in the same memory: a row never comes to lie where one is that is
-// still to be moved.
-void undeal(const Dealt& at, Grid<float>& values) {
-  float* const data = values.data();
-  for (int row = 0; row < at.rows; ++row) {
-    row_kernels::gather(at.cols, data + at.start(row, 0), data + at.start(row, 1),
-                        data + std::ptrdiff_t(row) * at.cols);
-  }
-  values.shrink_to(at.rows, at.cols);
 }
 
 }  // namespace
