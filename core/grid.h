@@ -71,7 +71,8 @@ class Grid {
   auto begin() const { return values_.begin(); }
   auto end() const { return values_.end(); }
 
-  /// Keeps the first rows * cols values, where they are.
+  /// Keeps the first rows * cols values, where they are; the memory of the others is not given
+  /// back.
   void shrink_to(int rows, int cols) {
     assert(rows >= 0 && cols >= 0);
     const std::size_t count = std::size_t(rows) * std::size_t(cols);

@@ -57,8 +57,9 @@ struct JoinedRow {
 
   void deal(PixelLevel& coarse, int row, int count) const {
     const auto put = [&](const std::vector<float>& from, Cells& to) {
-      row_kernels::deal(count / 2, from.data(), to.data() + coarse.at.start(coarse.half(row, 0)),
-                        to.data() + coarse.at.start(coarse.half(row, 1)));
+      row_kernels::deal(count / 2, from.data(),
+                        to.data() + coarse.at.start(coarse.half_row(row, 0)),
+                        to.data() + coarse.at.start(coarse.half_row(row, 1)));
     };
     put(inside_across, coarse.reach_across);
     put(inside_along, coarse.reach_along);
@@ -74,14 +75,14 @@ void weigh_edges(PixelLevel& coarse) {
   float* const along = coarse.reach_along.data();
   const auto to_reach = [=, &coarse](int row) {
     for (const int parity : {0, 1}) {
-      const HalfRow half = coarse.half(row, parity);
+      const HalfRow half = coarse.half_row(row, parity);
       coarsen_kernels::to_reach(half.count, across + at.start(half));
       coarsen_kernels::to_reach(half.count, along + at.start(half));
     }
   };
   const auto put_in_series = [=, &coarse](int row) {
     for (const int parity : {0, 1}) {
-      const HalfRow half = coarse.half(row, parity);
+      const HalfRow half = coarse.half_row(row, parity);
       const auto here = at.start(half);
       coarsen_kernels::in_series(half.count, coarse.east.data() + here, across + here,
                                  neighbours<row_kernels::Around>(at, across, half).right);
@@ -91,7 +92,7 @@ void weigh_edges(PixelLevel& coarse) {
   };
   const auto add_up = [=, &coarse](int row) {
     for (const int parity : {0, 1}) {
-      const HalfRow half = coarse.half(row, parity);
+      const HalfRow half = coarse.half_row(row, parity);
       const auto here = at.start(half);
       const auto weights = weights_around(coarse, half);
       coarsen_kernels::invert(half.count, coarse.inverse.data() + here, weights);
@@ -104,7 +105,7 @@ void weigh_edges(PixelLevel& coarse) {
 
 // Of the blocks that hold the cells of two stretches.
 PixelLevel::Stretch coarse_stretch(const PixelLevel& fine, int row, int block) {
-  constexpr int together = 16;
+  constexpr int together = Dealt::together;
   PixelLevel::Stretch found{block, 0};
   for (int r = 2 * row; r < std::min(2 * row + 2, fine.at.rows); ++r) {
     const auto [first, last] = fine.stretch(r);
@@ -130,7 +131,7 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
   for_slices(at.rows, [&](int begin, int end) {
     JoinedRow joined(fine.at);
     for (int row = begin; row < end; ++row) {
-      const HalfRow half = coarse.half(row, 0);
+      const HalfRow half = coarse.half_row(row, 0);
       const int first = 2 * half.first;
       const int count = std::min(2 * half.count, fine.at.block - first);
       joined.join(fine, least_strength, row, first, count);

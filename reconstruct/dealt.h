@@ -20,6 +20,10 @@ struct HalfRow {
 /// updated by a plain loop over arrays, which every compiler turns into vector instructions.
 /// Padding and one guard row above and below stay 0, so no loop asks whether a neighbour exists.
 struct Dealt {
+  /// Blocks and stretches are whole runs of so many cells: kernels ask whether as many are alike,
+  /// and take half of a stretch, of coarser cells, in eights.
+  static constexpr int together = 16;
+
   int rows = 0;
   int cols = 0;
   int half = 0;   // columns of even index
@@ -27,7 +31,10 @@ struct Dealt {
 
   Dealt() = default;
   Dealt(int row_count, int col_count)
-      : rows(row_count), cols(col_count), half((cols + 1) / 2), block((half + 16) / 16 * 16) {}
+      : rows(row_count),
+        cols(col_count),
+        half((cols + 1) / 2),
+        block((half + together) / together * together) {}
 
   std::size_t size() const { return (std::size_t(rows) + 2) * stride(); }
   std::ptrdiff_t stride() const { return 2 * std::ptrdiff_t(block); }

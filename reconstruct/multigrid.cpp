@@ -29,7 +29,7 @@ constexpr std::size_t last_visited_twice = 2;
 // What the coarser lattices find falls a little short nearly everywhere: of a square without holes
 // a cycle leaves up to 0.033 of the error and never overshoots. With half of that taken off
 // beforehand nothing is lost at either end; with a little more, since sweeps undo a part of it.
-constexpr float stretch = 1.025f;
+constexpr float lengthening = 1.025f;
 constexpr double most_extras = 0.002;    // of all cells, up to which they go without a sweep
 constexpr double least_rate = 0.1;       // of cycles, in the long run: the first ones do better
 constexpr double worse = 3.0;            // than the last one the next may be, where those were good
@@ -50,7 +50,7 @@ void clear_extras(const PixelLevel& level, Cells& values) {
 
 Multigrid::Multigrid(PixelLevel finest) {
   const auto add = [this](PixelLevel level) {
-    // That of the finest starts anew with every solution.
+    // The finest one is solved in the memory of the solution.
     if (!levels_.empty()) level.value = Cells(level.nodes(), level.memory());
     level.right = Cells(level.nodes(), level.memory());
     levels_.push_back(std::move(level));
@@ -190,7 +190,7 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
   while (true) {
     std::vector<Stage> stages;
     const bool first = solution.cycles == 0;
-    add_correction(system, levels_[1], first ? 1.0f : stretch, stages);
+    add_correction(system, levels_[1], first ? 1.0f : lengthening, stages);
     add_sweep(system, after_correction, stages);
     const bool slowly = solution.cycles > 1 && rate > slow;
     const bool end = (!first && solution.error < tolerance) || solution.cycles == max_cycles;
@@ -259,7 +259,7 @@ void Multigrid::conjugate_steps(double tolerance, int max_cycles, const CycleDon
     const double size =
         std::abs(length) * std::sqrt(dot(level.at, direction.step, direction.step) / cells_);
     const double rate = last > 0.0 ? std::clamp(size / last, least_step_rate, 0.9) : 0.9;
-    const double slower = std::max(rate, last_rate);  // as above
+    const double slower = std::max(rate, last_rate);  // steps do not shrink evenly either
     solution.error = size * slower / (1.0 - slower);
     last = size;
     last_rate = rate;

@@ -33,7 +33,7 @@ class Multigrid {
   /// Set before `solve`, which changes it; laid out as the finest level.
   Cells& right() { return levels_.front().right; }
 
-  /// The right-hand side consists of multiples of `step`: the residual is then kept without
+  /// The right-hand side consists of multiples of `step`: the residual is then formed without
   /// rounding. Returns 3 * 2^22 step, which rounds to these multiples when it is added and taken
   /// off again.
   float set_step(float step) { return magic_ = 3.0f * 0x1p22f * step; }

@@ -141,19 +141,23 @@ double turn_by_bounce(Tile tile) {
   double squares = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const double square = (after[i] - before[i]).squaredNorm();
-    if (!std::isfinite(square)) continue;
-    squares += square;
+    if (before[i].isZero() || after[i].isZero()) continue;
+    squares += (after[i] - before[i]).squaredNorm();
     count += 1.0;
   }
   return count > 0.0 ? std::sqrt(squares / count) : 0.0;
 }
 
-// untold_bounce  see `NormalPlan`
-SharedTerms shared_terms(Tile& tile, SharedModel model, double& untold_bounce) {
+struct Told {
+  SharedTerms terms;
+  double untold_bounce = 0.0;  // as in `NormalPlan`
+};
+
+Told shared_terms(Tile& tile, SharedModel model) {
   model.curve = tile.lights >= curve_lights;
   model.bounce = !tile.bounce.empty();
   SharedTerms terms;
+  double untold_bounce = 0.0;
   for (int round = 0; round < shared_rounds; ++round) {
     if (round == 0) {
       const SharedFit all_terms = fit_shared_terms(tile, model);
@@ -163,18 +167,19 @@ SharedTerms shared_terms(Tile& tile, SharedModel model, double& untold_bounce) {
         return fit_shared_terms(tile, without).misfit - all_terms.misfit;
       };
       model.curve = model.curve && gain_of(&SharedModel::curve) > worthwhile;
-      if (model.bounce && gain_of(&SharedModel::bounce) * all_terms.freedom < significant) {
-        model.bounce = false;
-        untold_bounce = turn_by_bounce(tile);
-      }
+      // Less than none is no light either.
+      const bool told = model.bounce && all_terms.terms.bounce > 0.0f &&
+                        gain_of(&SharedModel::bounce) * all_terms.freedom > significant;
+      if (model.bounce && !told) untold_bounce = turn_by_bounce(tile);
+      model.bounce = told;
     }
     terms = fit_shared_terms(tile, model).terms;
     terms.bounce = possible_bounce(terms.bounce, tile);
-    if (!terms.curved() && terms.bounce == 0.0f) return {};
+    if (!terms.curved() && terms.bounce == 0.0f) return {{}, untold_bounce};
     take_off(tile, terms);
     refit_biweight(tile);
   }
-  return terms;
+  return {std::move(terms), untold_bounce};
 }
 
 }  // namespace
@@ -196,7 +201,9 @@ NormalPlan plan_normals(const TileSource& source, Estimator estimator) {
     for (const Light& light : source.stack.lights) {
       model.light_sigma.push_back(std::max(light.direction_sigma, least_light_sigma));
     }
-    plan.terms = shared_terms(tile, std::move(model), plan.untold_bounce);
+    Told told = shared_terms(tile, std::move(model));
+    plan.terms = std::move(told.terms);
+    plan.untold_bounce = told.untold_bounce;
     plan.shared = plan.terms.curved() || plan.terms.bounce != 0.0f;
     if (plan.shared) tile.noise = noise_law(tile);
   }

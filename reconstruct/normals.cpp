@@ -124,22 +124,26 @@ Grid<float> model_variance(const LightStack& stack, const NormalOptions& options
   // All pixels share the errors of the lights, so pooling leaves what one draw of them does: up to
   // the quantile 0.99 of chi-squared with one degree of freedom is no sign of a wrong model.
   constexpr float highest = 6.635f;
-  Grid<float> squares(stack.mask.rows(), stack.mask.cols());
-  Grid<float> count = squares;
+  Grid<float> count(stack.mask.rows(), stack.mask.cols());
+  Grid<float> disagreement = count;
+  Grid<float> doubt = count;
   for (std::size_t i = 0; i < count.size(); ++i) {
-    if (!alike.orientation.mask[i] || !others.orientation.mask[i]) continue;
+    if (!maps.orientation.mask[i] || !alike.orientation.mask[i] || !others.orientation.mask[i]) {
+      continue;
+    }
     const float gain = std::abs(others.noise_gain[i] - alike.noise_gain[i]);
     const float lights = std::abs(others.light_variance[i] - alike.light_variance[i]);
-    const float chosen = turn(alike, others, i) - sample_variance[i] * gain - highest * lights;
-    const float square = chosen + bounce_doubt * bounce_doubt * turn(maps, alike, i);
-    if (!maps.orientation.mask[i] || !std::isfinite(square)) continue;
-    squares[i] = square;
+    const float square = turn(alike, others, i) - sample_variance[i] * gain - highest * lights;
+    if (!std::isfinite(square)) continue;
+    disagreement[i] = square;
+    doubt[i] = bounce_doubt * bounce_doubt * turn(maps, alike, i);
     count[i] = 1.0f;
   }
   const Grid<float> pixels = box_sum(count, pool_radius_px);
-  Grid<float> variance = box_sum(squares, pool_radius_px);
+  Grid<float> variance = box_sum(disagreement, pool_radius_px);
+  const Grid<float> doubts = box_sum(doubt, pool_radius_px);
   for (std::size_t i = 0; i < variance.size(); ++i) {
-    variance[i] = std::max(variance[i], 0.0f) / std::max(pixels[i], 1.0f);
+    variance[i] = (std::max(variance[i], 0.0f) + doubts[i]) / std::max(pixels[i], 1.0f);
   }
   return variance;
 }

@@ -9,7 +9,7 @@
 namespace hada {
 namespace {
 
-constexpr int together = 16;
+constexpr int together = Dealt::together;
 
 // From the first to the last code of an edge in either block of a row.
 PixelLevel::Stretch stretch_of(const Dealt& at, const std::uint8_t* even, const std::uint8_t* odd) {

@@ -79,7 +79,7 @@ struct PixelLevel {
     return stretches.empty() ? Stretch{0, at.block} : stretches[std::size_t(row)];
   }
   /// The cells of a row that are in its stretch and have this parity of columns.
-  HalfRow half(int row, int parity) const {
+  HalfRow half_row(int row, int parity) const {
     const auto [first, last] = stretch(row);
     return {row, parity, first, last - first};
   }

@@ -7,7 +7,7 @@
 namespace hada::rise_kernels {
 
 /// From pairs (dz/dx, dz/dy), y up: the rise from a pixel to the one on its right, or below it,
-/// rounded as by `row_kernels::round_to`; 0 unless both are in the mask.
+/// rounded as by `row_kernels::relax`; 0 unless both are in the mask.
 void rise_across(int n, const float* slopes, const std::uint8_t* mask, float magic,
                  float* __restrict rise);
 void rise_down(int n, const float* slopes, const float* slopes_below, const std::uint8_t* mask,

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "reconstruct/clones.h"
+#include "reconstruct/dealt.h"
 #include "reconstruct/lanes.h"
 
 #ifdef __clang__
@@ -18,7 +19,7 @@ inline float inverse_of(std::uint8_t code) {
   return float(code >> 4) * twelfth;
 }
 
-constexpr int together = 16;
+constexpr int together = Dealt::together;
 
 // Whether 16 bytes all have the value.
 inline bool all_are(const std::uint8_t* bytes, std::uint8_t value) {
@@ -46,16 +47,25 @@ template <class Special, class General>
   for (int i = first; i < n; ++i) general(i);
 }
 
-// put(i, the value at which the equation of cell i holds).
+// put(i, the step to the value at which the equation of cell i holds). Where nothing is missing
+// around it, from differences: however large x is, they hardly round.
 template <class Put>
-[[gnu::always_inline]] inline void for_relaxed(int n, const Around& value, const float* right,
-                                               const std::uint8_t* code, const Put& put) {
+[[gnu::always_inline]] inline void for_steps(int n, const float* x, const Around& value,
+                                             const float* right, const std::uint8_t* code,
+                                             const Put& put) {
   const float *const up = value.up, *const down = value.down;
   const float *const left = value.left, *const beyond = value.right;
-  const auto sum = [=](int i) { return right[i] + ((up[i] + down[i]) + (left[i] + beyond[i])); };
   for_marked(
-      n, code, edge_code(4), [=](int i) { put(i, sum(i) * 0.25f); },
-      [=](int i) { put(i, sum(i) * inverse_of(code[i])); });
+      n, code, edge_code(4),
+      [=](int i) {
+        const float here = x[i];
+        put(i, 0.25f * (right[i] + (((up[i] - here) + (down[i] - here)) +
+                                    ((left[i] - here) + (beyond[i] - here)))));
+      },
+      [=](int i) {
+        const float sum = right[i] + ((up[i] + down[i]) + (left[i] + beyond[i]));
+        put(i, sum * inverse_of(code[i]) - x[i]);
+      });
 }
 
 template <class Put>
@@ -120,8 +130,8 @@ template <class Alive>
 
 HADA_CLONES_AVX512 void relax(int n, float magic, float* __restrict x, const Around& value,
                               const float* right, const std::uint8_t* code) {
-  for_relaxed(n, value, right, code,
-              [=](int i, float relaxed) { x[i] = (relaxed + magic) - magic; });
+  for_steps(n, x, value, right, code,
+            [=](int i, float step) { x[i] = ((x[i] + step) + magic) - magic; });
 }
 
 HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, const Around& weight,
@@ -133,9 +143,8 @@ HADA_CLONES_AVX512 void relax(int n, float* __restrict x, const Around& value, c
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float magic, float* __restrict x,
                                    const Around& value, const float* right,
                                    const std::uint8_t* code) {
-  for_relaxed(n, value, right, code, [=](int i, float relaxed) {
-    x[i] = ((x[i] + factor * (relaxed - x[i])) + magic) - magic;
-  });
+  for_steps(n, x, value, right, code,
+            [=](int i, float step) { x[i] = ((x[i] + factor * step) + magic) - magic; });
 }
 
 HADA_CLONES_AVX512 void over_relax(int n, float factor, float* __restrict x, const Around& value,
@@ -212,19 +221,6 @@ HADA_CLONES_AVX512 void exact_residual(int n, float* out, const float* x, const 
         const float sum = right[i] + (vertical + level);
         out[i] = code[i] ? sum : 0.0f;
       });
-}
-
-HADA_CLONES_AVX512 void exact_residual(int n, float* out, const float* x, const Around& value,
-                                       const float* right, const Around& weight) {
-  const float *const up = value.up, *const down = value.down;
-  const float *const left = value.left, *const beyond = value.right;
-  const float *const wu = weight.up, *const wd = weight.down;
-  const float *const wl = weight.left, *const wr = weight.right;
-  for (int i = 0; i < n; ++i) {
-    const float here = x[i];
-    out[i] = right[i] + ((wu[i] * (up[i] - here) + wd[i] * (down[i] - here)) +
-                         (wl[i] * (left[i] - here) + wr[i] * (beyond[i] - here)));
-  }
 }
 
 HADA_CLONES_AVX512 void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,

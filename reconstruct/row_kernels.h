@@ -38,7 +38,8 @@ void edge_codes(int n, const std::uint8_t* above, const std::uint8_t* here,
 ///
 /// Values outside the mask are 0 and all neighbours in the mask are joined, so the sum needs no
 /// mask of its own. Pixels without edges become 0. x is rounded to a multiple of
-/// magic / (3 * 2^22): (x + magic) - magic; not with a magic of 0.
+/// magic / (3 * 2^22), or of half of that below -2^22 of them: (x + magic) - magic; not with a
+/// magic of 0.
 void relax(int n, float magic, float* __restrict x, const Around& value, const float* right,
            const std::uint8_t* code);
 /// The same with a weight on every edge; inverse is 1 over their sum, 0 for a lonely cell.
@@ -69,8 +70,6 @@ void residual(int n, float* __restrict out, const float* x, const Around& value,
 /// The same from differences of neighbours, which hardly round at all. `out` may be `right`.
 void exact_residual(int n, float* out, const float* x, const Around& value, const float* right,
                     const std::uint8_t* code, const AroundCodes& around);
-void exact_residual(int n, float* out, const float* x, const Around& value, const float* right,
-                    const Around& weight);
 
 /// Half a row of coarse cells and what is next to them on one side, across and along.
 struct Corner {

@@ -75,7 +75,7 @@ float SlopeSolver::set_right(const SlopeMap& slopes, float step) {
     std::vector<float> above(std::size_t(at.cols), 0.0f);
     std::vector<float> below(std::size_t(at.cols), 0.0f);
     std::vector<float> sum(std::size_t(at.stride()), 0.0f);
-    // Where either row of two has pixels.
+    // Over the stretches of both rows, since `balance` reads it over either; a rise needs both.
     const auto fill_below = [&](int row) {
       const Columns a = columns_of(level, row);
       const Columns b = columns_of(level, row + 1);
@@ -104,9 +104,9 @@ float SlopeSolver::set_right(const SlopeMap& slopes, float step) {
       rise_kernels::balance(cols.count(), rise, above.data() + first, below.data() + first,
                             sum.data() + first);
       // Behind the last column of the map `sum` is still 0.
-      row_kernels::deal(level.half(row, 0).count, sum.data() + first,
-                        multigrid_->right().data() + at.start(level.half(row, 0)),
-                        multigrid_->right().data() + at.start(level.half(row, 1)));
+      row_kernels::deal(level.half_row(row, 0).count, sum.data() + first,
+                        multigrid_->right().data() + at.start(level.half_row(row, 0)),
+                        multigrid_->right().data() + at.start(level.half_row(row, 1)));
     }
   });
   return *std::max_element(most.begin(), most.end());

@@ -1,6 +1,7 @@
 #include "reconstruct/smooth.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/parallel.h"
@@ -13,9 +14,13 @@ namespace {
 constexpr int red = 0;
 constexpr int black = 1;
 
-// The cells of a colour in a row.
+// Whether the cells of a colour are in the even (0) or odd (1) columns of a row.
+int parity_of(int row, int colour) {
+  return (row + colour) % 2;
+}
+
 HalfRow half_of(const PixelLevel& level, int row, int colour) {
-  return level.half(row, (row + colour) % 2);
+  return level.half_row(row, parity_of(row, colour));
 }
 
 void relax(const System& s, int row, int colour, float factor) {
@@ -126,7 +131,8 @@ void restrict_rows(const PixelLevel& level, int row, PixelLevel& coarse, const S
   // Two rows make one row of blocks; the second of them comes with both.
   const bool last = row + 1 == level.at.rows;
   if (row % 2 == 0 && !last) return;
-  const auto even = coarse.half(row / 2, 0);
+  // The stretch of the blocks, which may be wider than those of the rows: beyond them all is 0.
+  const auto even = coarse.half_row(row / 2, 0);
   const int first = 2 * even.first;
   const int count = std::min(2 * even.count, level.at.block - first);
   const auto block = std::size_t(level.at.block);
@@ -142,14 +148,14 @@ void restrict_rows(const PixelLevel& level, int row, PixelLevel& coarse, const S
     std::fill_n(lower, count, 0.0f);
   }
   row_kernels::add_and_deal(count / 2, upper, lower, coarse.right.data() + coarse.at.start(even),
-                            coarse.right.data() + coarse.at.start(coarse.half(row / 2, 1)));
+                            coarse.right.data() + coarse.at.start(coarse.half_row(row / 2, 1)));
   for (const auto& [parent, rest] : moved) coarse.right[std::size_t(parent)] += rest;
 }
 
 void restrict_red(const System& s, int row, PixelLevel& coarse) {
   const PixelLevel& level = s.level;
   restrict_rows(level, row, coarse, [&](int r, int first, int count, float* sums, auto& moved) {
-    const HalfRow half{r, half_of(level, r, red).parity, first, count};
+    const HalfRow half{r, parity_of(r, red), first, count};
     residual(s, half, sums);
     for_moved(level, r, red, [&](const PixelLevel::Moved& m) {
       const auto place = std::size_t(m.cell - level.at.start(half));
@@ -165,7 +171,7 @@ void restrict_both(const PixelLevel& level, int row, PixelLevel& coarse, const V
     const float* const of[] = {values({r, 0, first, count}), values({r, 1, first, count})};
     row_kernels::add(count, of[0], of[1], sums);
     for (const int colour : {red, black}) {
-      const HalfRow half{r, half_of(level, r, colour).parity, first, count};
+      const HalfRow half{r, parity_of(r, colour), first, count};
       for_moved(level, r, colour, [&](const PixelLevel::Moved& m) {
         const auto place = std::size_t(m.cell - level.at.start(half));
         const float here = of[half.parity][place];
@@ -183,15 +189,10 @@ void restrict_right(const PixelLevel& level, int row, PixelLevel& coarse) {
 
 void find_exact_residual(const System& s, const HalfRow& half, float* out) {
   const PixelLevel& level = s.level;
+  assert(level.unit());
   const auto here = level.at.start(half);
-  const auto values = values_around(level, s.x, half);
-  if (level.unit()) {
-    row_kernels::exact_residual(half.count, out, s.x + here, values, s.right + here,
-                                level.code.data() + here, codes_around(level, half));
-  } else {
-    row_kernels::exact_residual(half.count, out, s.x + here, values, s.right + here,
-                                weights_around(level, half));
-  }
+  row_kernels::exact_residual(half.count, out, s.x + here, values_around(level, s.x, half),
+                              s.right + here, level.code.data() + here, codes_around(level, half));
 }
 
 void restrict_exactly(const System& s, int row, PixelLevel& coarse) {
@@ -237,7 +238,7 @@ void add_gathering(const PixelLevel& level, PixelLevel& coarse, std::vector<Stag
 void add_subtraction(const System& s, std::vector<Stage>& stages) {
   stages.push_back({1, [s](int row) {
                       for (const int parity : {0, 1}) {
-                        const HalfRow half = s.level.half(row, parity);
+                        const HalfRow half = s.level.half_row(row, parity);
                         find_exact_residual(s, half, s.right + s.level.at.start(half));
                       }
                     }});

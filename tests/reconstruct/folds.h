@@ -12,14 +12,14 @@
 /// Folds that all run one way, and pictures of them in which light goes to and fro between them.
 namespace hada {
 
-/// Sums of three waves across the columns, of about this slope at their steepest.
+/// Sums of three waves across the columns, of this slope at most.
 inline Relief folds(int rows, int cols, double steepest, Seed seed) {
   return relief_of(rows, cols, [=](double x, double) {
     double z = 0.0;
     double slope = 0.0;
     for (int k = 0; k < 3; ++k) {
       const double length = 18.0 + 14.0 * k + 8.0 * uniform(seed, k, 1);
-      const double share = 0.3 + 0.12 * k;
+      const double share = (0.3 + 0.12 * k) / 1.26;  // 1 together
       const double phase = 2.0 * std::numbers::pi * (x / length + uniform(seed, k, 2));
       z += steepest * share * length / (2.0 * std::numbers::pi) * std::sin(phase);
       slope += steepest * share * std::cos(phase);

@@ -67,8 +67,9 @@ TEST(Multigrid, SolvesTheLaplacianOfATornMask) {
     const auto solution = multigrid.solve(1e-6, 100);
     double most = 0.0;
     for (const float x : solution.value) most = std::max(most, double(std::abs(x)));
-    // Each of about four corrections rounds a value by up to 6e-8 of itself, at both ends of 4
-    // edges.
+    // The last sweep rounds: a sum of four values to 4 * 6e-8 of one, which is a quarter of that in
+    // the value, and the value to 6e-8 of itself twice; at both ends of 4 edges that is less than
+    // four roundings each.
     EXPECT_LT(largest_residual(mask, right, solution.value), 4 * 8 * 6e-8 * most + 1e-5);
   }
 }

@@ -27,11 +27,11 @@ TEST(PixelLevel, WorksWhereThereArePixels) {
   for (int col = 70; col < 150; ++col) mask(1, col) = 1;
   mask(2, 180) = 1;  // without an edge
   const PixelLevel level = PixelLevel::of(mask);
-  EXPECT_EQ(level.half(0, 0).count, 0);
+  EXPECT_EQ(level.half_row(0, 0).count, 0);
   // Pixels 70 to 149 are the cells 35 to 74 of either block.
   EXPECT_EQ(level.stretch(1).first, 32);
   EXPECT_EQ(level.stretch(1).last, 80);
-  EXPECT_EQ(level.half(2, 1).count, 0);
+  EXPECT_EQ(level.half_row(2, 1).count, 0);
 }
 
 }  // namespace

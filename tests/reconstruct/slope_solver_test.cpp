@@ -139,6 +139,29 @@ TEST(SlopeSolver, IsExactOnMasksThatAreHardToCrossAndNeedsFewMoreCycles) {
   }
 }
 
+TEST(SlopeSolver, IsExactWhereRowsBeginAndEndAnywhere) {
+  constexpr int rows = 301;
+  constexpr int cols = 423;
+  const Stepped made = stepped(rows, cols);
+  Mask discs(rows, cols, 0);  // side by side, with empty rows above, between and below
+  Mask bent(rows, cols, 0);   // rows begin further left, then further right, than those above
+  for (int row = 0; row < rows; ++row) {
+    for (int col = 0; col < cols; ++col) {
+      discs(row, col) =
+          std::hypot(row - 80, col - 330) < 60.0 || std::hypot(row - 220, col - 100) < 63.0;
+      const int from = row < 100 ? 200 : row < 200 ? 33 : 310;
+      bent(row, col) = col >= from && col < (row < 200 ? 352 : cols);
+    }
+  }
+  for (const Mask* const mask : {&discs, &bent}) {
+    SlopeSolver solver(*mask);
+    // 1e-5 px is asked for; the heights of 42 px are rounded to 4e-6.
+    const Grid<float> height = solver.height(made.slopes, 1e-5, 50);
+    EXPECT_LT(error_of(height, made.height, *mask), 2e-5);
+    EXPECT_EQ(solver.height(made.slopes, 1e-5, 50), height);  // and nothing stays behind
+  }
+}
+
 TEST(SlopeSolver, IsExactWithWeightsThatDifferByAMillion) {
   constexpr int size = 200;
   const Stepped made = stepped(size, size);
