@@ -37,19 +37,23 @@ std::string irregular_masks() {
   for (const int size : {1024, 2048}) {
     say(fmt::format("height: solvers of others, {} x {}", size, size));
     const auto scene = integration_scene(MaskKind::irregular, size);
-    const auto ours = run_ours(scene, 9);
+    auto ours = run_ours(scene, 9);
+    std::vector<SolverRun> peers;
     if (size == 1024) {
-      const auto peer = run_eigen_cg(scene);
-      conjugate_gradients = peer.seconds;
-      page += against(peer, ours, 1000.0);
+      peers.push_back(run_eigen_cg(scene));
+      conjugate_gradients = peers.front().seconds;
     } else {
       // Four times the pixels, twice the iterations; measuring it would take many minutes.
-      const SolverRun peer{"Eigen, conjugate gradients (8 x its time at 1024)", size,
-                           8.0 * conjugate_gradients};
-      page += against(peer, ours, 1000.0);
+      peers.push_back(
+          {"Eigen, conjugate gradients (8 x its time at 1024)", size, 8.0 * conjugate_gradients});
     }
-    for (const auto& peer : run_peers(scene)) {
-      if (peer.solver.starts_with("hypre")) page += against(peer, ours, 100.0);
+    for (auto& peer : run_peers(scene)) {
+      if (peer.solver.starts_with("hypre")) peers.push_back(std::move(peer));
+    }
+    // Once more after the others: what a machine allows changes within a minute.
+    ours.seconds = 0.5 * (ours.seconds + run_ours(scene, 9).seconds);
+    for (const auto& peer : peers) {
+      page += against(peer, ours, peer.solver.starts_with("hypre") ? 100.0 : 1000.0);
     }
   }
   say("height: 4096 x 4096");
@@ -123,7 +127,8 @@ std::string height_results() {
   return table("Normals to height: processor time on one thread, setup included",
                "| figure | must be | measured | |") +
          irregular_masks() + rectangles() + cycles() + sigmas() +
-         "\nA pass reads an array of floats of that size once. Times are medians.\n";
+         "\nA pass reads an array of floats of that size once. Our times are medians; beside those "
+         "of others, of runs before and after.\n";
 }
 
 }  // namespace hada
