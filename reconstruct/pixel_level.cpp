@@ -41,10 +41,10 @@ PixelLevel PixelLevel::of(const Mask& mask) {
       row_kernels::edge_codes(
           at.cols, row > 0 ? mask.row(row - 1).data() : outside.data(), here.data() + 1,
           row + 1 < at.rows ? mask.row(row + 1).data() : outside.data(), codes.data());
-      std::uint8_t* const even = level.code.data() + at.start(row, 0);
-      std::uint8_t* const odd = level.code.data() + at.start(row, 1);
-      row_kernels::deal(at.block, codes.data(), even, odd);
-      level.stretches[std::size_t(row)] = stretch_of(at, even, odd);
+      std::uint8_t* const even_codes = level.code.data() + at.start(row, 0);
+      std::uint8_t* const odd_codes = level.code.data() + at.start(row, 1);
+      row_kernels::deal(at.block, codes.data(), even_codes, odd_codes);
+      level.stretches[std::size_t(row)] = stretch_of(at, even_codes, odd_codes);
     }
   });
   return level;
