@@ -131,9 +131,8 @@ PixelLevel coarsened(PixelLevel& fine, float least_strength) {
   for_slices(at.rows, [&](int begin, int end) {
     JoinedRow joined(fine.at);
     for (int row = begin; row < end; ++row) {
-      const HalfRow half = coarse.half_row(row, 0);
-      const int first = 2 * half.first;
-      const int count = std::min(2 * half.count, fine.at.block - first);
+      const auto [first, last] = blocks_of(fine, coarse, row);
+      const int count = last - first;
       joined.join(fine, least_strength, row, first, count);
       joined.deal(coarse, row, count);
       if (row_kernels::largest(count, joined.split.data()) == 0.0f) continue;

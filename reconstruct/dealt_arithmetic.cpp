@@ -1,23 +1,10 @@
 #include "reconstruct/dealt_arithmetic.h"
 
-#include <numeric>
-#include <vector>
-
 #include "core/parallel.h"
 #include "reconstruct/row_arithmetic.h"
+#include "reconstruct/sum_of_rows.h"
 
 namespace hada {
-namespace {
-
-// The sum over all rows of `work(row)`, formed in row order.
-template <class Work>
-double sum_of_rows(int rows, const Work& work) {
-  std::vector<double> sums(std::size_t(rows), 0.0);
-  for_each_index(rows, [&](int row) { sums[std::size_t(row)] = work(row); });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
-}  // namespace
 
 double dot(const Dealt& at, const Cells& a, const Cells& b) {
   return sum_of_rows(at.rows, [&](int row) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "reconstruct/pixel_level.h"
@@ -30,6 +31,12 @@ inline row_kernels::Around weights_around(const PixelLevel& level, const HalfRow
   const auto east = neighbours<row_kernels::Around>(level.at, level.east.data(), half);
   const float* const south = level.south.data() + level.at.start(half);
   return {south - level.at.stride(), south, east.left, level.east.data() + level.at.start(half)};
+}
+
+/// The blocks of a coarse row, which are cells of either half of its two fine rows.
+inline PixelLevel::Stretch blocks_of(const PixelLevel& fine, const PixelLevel& coarse, int row) {
+  const auto [first, last] = coarse.stretch(row);
+  return {2 * first, std::min(2 * last, fine.at.block)};
 }
 
 /// The marks of even cells from a place on, or null.

@@ -132,9 +132,8 @@ void restrict_rows(const PixelLevel& level, int row, PixelLevel& coarse, const S
   const bool last = row + 1 == level.at.rows;
   if (row % 2 == 0 && !last) return;
   // The stretch of the blocks, which may be wider than those of the rows: beyond them all is 0.
-  const auto even = coarse.half_row(row / 2, 0);
-  const int first = 2 * even.first;
-  const int count = std::min(2 * even.count, level.at.block - first);
+  const auto [first, end] = blocks_of(level, coarse, row / 2);
+  const int count = end - first;
   const auto block = std::size_t(level.at.block);
   thread_local std::vector<float> rows;  // here for their memory alone
   rows.resize(std::max(rows.size(), 2 * block));
@@ -147,7 +146,8 @@ void restrict_rows(const PixelLevel& level, int row, PixelLevel& coarse, const S
   } else {
     std::fill_n(lower, count, 0.0f);
   }
-  row_kernels::add_and_deal(count / 2, upper, lower, coarse.right.data() + coarse.at.start(even),
+  row_kernels::add_and_deal(count / 2, upper, lower,
+                            coarse.right.data() + coarse.at.start(coarse.half_row(row / 2, 0)),
                             coarse.right.data() + coarse.at.start(coarse.half_row(row / 2, 1)));
   for (const auto& [parent, rest] : moved) coarse.right[std::size_t(parent)] += rest;
 }

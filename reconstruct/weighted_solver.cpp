@@ -7,20 +7,13 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "reconstruct/sum_of_rows.h"
 
 namespace hada {
 namespace {
 
 // What cycles leave shrinks unevenly: a rate below this is not believed to last.
 constexpr double least_rate = 0.05;
-
-// The sum over all rows of `work(row)`, formed in row order.
-template <class Work>
-double sum_of_rows(int rows, const Work& work) {
-  std::vector<double> sums(std::size_t(rows), 0.0);
-  for_each_index(rows, [&](int row) { sums[std::size_t(row)] = work(row); });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
 
 double dot(const Grid<double>& a, const Grid<double>& b) {
   return sum_of_rows(a.rows(), [&](int row) {
