@@ -26,6 +26,8 @@ constexpr Relaxation after_correction{1.0f, over};
 // conjugate gradients: where the lattices are coarsened badly, a second visit can undo more than it
 // does.
 constexpr std::size_t last_visited_twice = 2;
+// Of cycles that visit every level once: the last one may, where that leaves little enough.
+constexpr double single_rate = 0.3;
 // What the coarser lattices find falls a little short nearly everywhere: of a square without holes
 // a cycle leaves up to 0.033 of the error and never overshoots. With half of that taken off
 // beforehand nothing is lost at either end; with a little more, since sweeps undo a part of it.
@@ -205,7 +207,8 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     add_exact_restriction(system, levels_[1], stages);
     clear_extras(levels_[1], levels_[1].right);
     run(0, stages);
-    visited_twice_ = last_visited_twice;
+    const bool once = solution.cycles > 1 && solution.error * single_rate < tolerance;
+    visited_twice_ = once ? 0 : last_visited_twice;
     cycle(1);
     ++solution.cycles;
     const double size = coarse_size();
@@ -213,7 +216,8 @@ Multigrid::Solution Multigrid::solve(double tolerance, int max_cycles, const Cyc
     rate = last > 0.0 ? size / last : 0.9;
     rate = std::min(std::max(rate, std::min(worse * rate, least_rate)), 0.9);
     last = size;
-    const double slower = std::max(rate, last_rate);  // what is left does not shrink evenly
+    // What is left does not shrink evenly.
+    const double slower = std::max({rate, last_rate, once ? single_rate : 0.0});
     solution.error = size * slower / (1.0 - slower);  // what all further cycles would add
     if (done) done(solution.cycles, solution.error);
   }
