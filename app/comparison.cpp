@@ -13,16 +13,29 @@
 namespace hada {
 namespace {
 
-// The logarithm of the density between ring middles; the nearest ring beyond the ends.
-double log_density(const Rings& rings, double frequency) {
-  const auto above = std::lower_bound(rings.frequency.begin(), rings.frequency.end(), frequency);
-  const auto i = std::size_t(above - rings.frequency.begin());
-  if (i == 0) return std::log10(rings.density.front());
-  if (i == rings.frequency.size()) return std::log10(rings.density.back());
-  const double step = rings.frequency[i] - rings.frequency[i - 1];
-  const double share = (frequency - rings.frequency[i - 1]) / step;
-  return (1.0 - share) * std::log10(rings.density[i - 1]) + share * std::log10(rings.density[i]);
-}
+// The rings that hold something: of a small map, the first one holds the mean alone.
+struct LogRings {
+  std::vector<double> frequency, density;  // log10
+
+  explicit LogRings(const Rings& rings) {
+    for (std::size_t i = 0; i < rings.density.size(); ++i) {
+      if (!(rings.density[i] > 0.0)) continue;
+      frequency.push_back(rings.frequency[i]);
+      density.push_back(std::log10(rings.density[i]));
+    }
+  }
+
+  // Between ring middles; the nearest ring beyond the ends, -infinity where there is none.
+  double at(double f) const {
+    if (density.empty()) return -HUGE_VAL;
+    const auto above = std::lower_bound(frequency.begin(), frequency.end(), f);
+    const auto i = std::size_t(above - frequency.begin());
+    if (i == 0) return density.front();
+    if (i == frequency.size()) return density.back();
+    const double share = (f - frequency[i - 1]) / (frequency[i] - frequency[i - 1]);
+    return (1.0 - share) * density[i - 1] + share * density[i];
+  }
+};
 
 std::size_t nearest_ring(const Rings& rings, double frequency) {
   const auto above = std::lower_bound(rings.frequency.begin(), rings.frequency.end(), frequency);
@@ -38,12 +51,13 @@ double root_mean_square_over(const Rings& a, const Rings& b, const Difference& d
   const double strongest = std::max(*std::max_element(a.density.begin(), a.density.end()),
                                     *std::max_element(b.density.begin(), b.density.end()));
   const double floor = std::log10(1e-6 * strongest);
+  const LogRings log_b(b);
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < a.frequency.size(); ++i) {
     if (a.count[i] == 0 || a.frequency[i] > b.frequency.back()) continue;
     const double of_a = std::max(floor, std::log10(a.density[i]));
-    const double of_b = std::max(floor, log_density(b, a.frequency[i]));
+    const double of_b = std::max(floor, log_b.at(a.frequency[i]));
     if (of_a == floor && of_b == floor) continue;
     const double decibel = difference(i, of_a, of_b);
     if (!std::isfinite(decibel)) continue;

@@ -26,6 +26,15 @@ TEST(SpectralFloor, IsTheDistanceOfTwoRealisations) {
   EXPECT_LT(std::sqrt(distance / floor), 1.6);
 }
 
+// The first ring of so small a map holds the mean alone: nothing.
+TEST(SpectralFloor, HoldsForSmallMaps) {
+  const Wrinkle<> wrinkle{{{0.3, 1.0, 0.6, 0.5}}, 1e-4};
+  const Extent small{.rows = 100, .cols = 100, .pitch = 0.2, .unit = Unit::mm};
+  const auto comparison = compare(synthesize(wrinkle, small, 1), synthesize(wrinkle, small, 2));
+  ASSERT_EQ(comparison.second.rings.count.front(), 0);
+  EXPECT_LT(comparison.spectral_distance_db, 2.0 * comparison.spectral_floor_db);
+}
+
 TEST(SpectralFloor, IsExceededByAnotherSpectrum) {
   const Wrinkle<> one{{{0.3, 1.0, 0.6, 0.5}}, 1e-4}, other{{{0.3, 2.0, 1.0, 0.5}}, 1e-4};
   const auto comparison = compare(synthesize(one, extent, 1), synthesize(other, extent, 2));
