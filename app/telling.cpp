@@ -72,6 +72,8 @@ std::string size_text(const Extent& extent) {
 
 std::string with_sigma(double value, double sigma) {
   if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.4g}", value);
+  constexpr double exact = 1e-6;  // of the value: more digits tell nobody anything
+  if (sigma < exact * std::abs(value)) return fmt::format("{:.6g}", value);
   // Two digits of the sigma, and the value as far as they reach.
   const double size = std::max(std::abs(value), sigma);
   if (size < 1e-4) return fmt::format("{:.3g} \u00b1 {:.2g}", value, sigma);
