@@ -2,9 +2,12 @@
 
 #include "app/knit_files.h"
 #include "app/measurement.h"
+#include "core/mean.h"
+#include "core/srgb.h"
 #include "fit/knit.h"
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
+#include "measure/measured_map.h"
 
 namespace hada {
 namespace {
@@ -71,6 +74,16 @@ void add_findings(MaterialFile& file, const ForgedFit& fit) {
       {"masame", fit.kinds.masame}, {"itame", fit.kinds.itame}, {"mokume", fit.kinds.mokume}};
 }
 
+// Of the hue that the picture has on the whole: linear, as many values as it has planes.
+std::vector<double> colour_of_mean_brightness(const Surface& picture) {
+  std::vector<double> colour;
+  for (const auto& plane : picture.albedo.planes) colour.push_back(mean(plane, picture.mask));
+  const double luminance_of_means = mean(luminance(picture.albedo), picture.mask);
+  const double wanted = linear_from_srgb(float(mean(measured_map(picture), picture.mask)));
+  for (double& value : colour) value *= wanted / luminance_of_means;
+  return colour;
+}
+
 }  // namespace
 
 MaterialFile fit_material(const std::string& name, const Surface& surface,
@@ -84,8 +97,7 @@ MaterialFile fit_material(const std::string& name, const Surface& surface,
         file.goodness_p = fit.goodness_p;
         file.runner_up_gap = fit.runner_up_gap;
         file.on_bound = fit.on_bound;
-        for (const auto& [path, low, high] : fit.intervals)
-          file.intervals.push_back({path, low, high});
+        file.intervals = fit.intervals;
         file.starts = fit.starts;
         file.agreeing = fit.agreeing;
         file.remarks = fit.remarks;
@@ -93,6 +105,9 @@ MaterialFile fit_material(const std::string& name, const Surface& surface,
       },
       material_named(name));
   file.unit = surface.extent.unit;
+  if (!surface.has_height() && std::holds_alternative<Wrinkle<>>(file.material)) {
+    file.mean_albedo = colour_of_mean_brightness(surface);
+  }
   file.input = MaterialFile::Input{input_name, hash_of(measured_map(surface)), surface.extent};
   return file;
 }

@@ -26,6 +26,18 @@ Unit unit_of(JsonObject& object) {
   return unit == "mm" ? Unit::mm : Unit::px;
 }
 
+std::vector<double> mean_albedo_of(JsonObject& object) {
+  const bool coloured = object.list("mean_albedo").size() == 3;
+  const std::vector<double> mean = object.numbers("mean_albedo", coloured ? 3 : 1);
+  double sum = 0.0;
+  for (const double value : mean) {
+    if (!(value >= 0.0)) object.fail("mean_albedo", "must not be negative");
+    sum += value;
+  }
+  if (!(sum > 0.0)) object.fail("mean_albedo", "must not be black");
+  return mean;
+}
+
 MaterialFile::Input input_of(JsonObject object, Unit unit) {
   MaterialFile::Input input;
   input.name = object.text("path", "");
@@ -184,6 +196,7 @@ MaterialFile material_of(const std::string& text, const std::string& where) {
   MaterialFile file;
   file.material = parameters_of(object.text("material"), object.object("parameters"));
   file.unit = unit_of(object);
+  if (object.has("mean_albedo")) file.mean_albedo = mean_albedo_of(object);
   if (object.has("seed")) file.seed = seed_of(object);
   if (object.has("input")) file.input = input_of(object.object("input"), file.unit);
   read_record(json, object, file);
@@ -202,6 +215,7 @@ std::string material_text(const MaterialFile& file) {
   json["parameters"] = fields(file.material);
   if (file.sigma) json["sigma"] = fields(*file.sigma);
   json["unit"] = name_of(file.unit);
+  if (!file.mean_albedo.empty()) json["mean_albedo"] = file.mean_albedo;
   if (std::isfinite(file.goodness_p)) json["goodness_p"] = file.goodness_p;
   if (file.starts > 0) {
     json["on_bound"] = file.on_bound;

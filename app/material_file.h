@@ -11,6 +11,7 @@
 #include "core/extent.h"
 #include "core/grid.h"
 #include "core/random.h"
+#include "fit/fit.h"
 #include "synth/material.h"
 
 namespace hada {
@@ -27,15 +28,13 @@ struct MaterialFile {
   Material material;
   std::optional<Material> sigma;  // standard deviation, field by field
   Unit unit = Unit::mm;           // what "mm" in the names of the parameters stands for
+  /// Of a picture whose brightness was fitted: linear, one value or three, see `painted`. Empty: a
+  /// height was fitted, or a material that has an albedo of its own.
+  std::vector<double> mean_albedo;
   double goodness_p = std::numeric_limits<double>::quiet_NaN();
   double runner_up_gap = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> on_bound;
-  /// A parameter near a bound is in here with 95 %, where its sigma says little.
-  struct Interval {
-    std::string path;
-    double low, high;
-  };
-  std::vector<Interval> intervals;
+  std::vector<FieldInterval> intervals;  // of parameters near a bound, where sigma says little
   int starts = 0;
   int agreeing = 0;
   /// Words that the data leave open: those of each choice cannot be told apart. Likeliest first.

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "core/mean.h"
 #include "core/parallel.h"
 #include "io/json.h"
+#include "measure/measured_map.h"
 
 namespace hada {
 namespace {
@@ -58,16 +60,6 @@ Json json_of(const Histogram& histogram) {
           {"sigma", histogram.sigma}};
 }
 
-double mean_of(const Grid<float>& map, const Mask& mask) {
-  double sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (!mask[i]) continue;
-    sum += map[i];
-    count += 1.0;
-  }
-  return count > 0.0 ? sum / count : 0.0;
-}
-
 Json json_of(const std::vector<Band>& bands) {
   Json json = Json::array();
   for (const Band& band : bands) {
@@ -106,10 +98,6 @@ std::string unit_of(const RoughnessField& field, Unit unit) {
   return text;
 }
 
-Grid<float> measured_map(const Surface& surface) {
-  return surface.has_height() ? surface.height : luminance(surface.albedo);
-}
-
 Measurement measure(const Surface& surface) {
   constexpr int most_peaks = 4;
   constexpr double spreads = 4.0;  // that a histogram reaches
@@ -124,8 +112,8 @@ Measurement measure(const Surface& surface) {
   m.decay = decay_of(m.rings);
   m.bands = bands(m.spectrum, map, surface.mask);
   const Roughness& rough = m.roughness.value;
-  const double mean = mean_of(map, surface.mask);
-  m.values = histogram(map, surface.mask, mean - spreads * rough.Sq, mean + spreads * rough.Sq);
+  const double middle = mean(map, surface.mask);
+  m.values = histogram(map, surface.mask, middle - spreads * rough.Sq, middle + spreads * rough.Sq);
   if (surface.has_height()) {
     m.slopes = histogram(steepness(map, surface.mask, surface.extent.pitch), surface.mask, 0.0,
                          spreads * rough.Sdq);

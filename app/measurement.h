@@ -31,9 +31,6 @@ struct Measurement {
   std::vector<int> sector_peaks;
 };
 
-/// The height of the surface, or the luminance of its albedo where it has no height.
-Grid<float> measured_map(const Surface& surface);
-
 Measurement measure(const Surface& surface);
 
 /// What a number of a roughness is counted in: "mm", "rad", "per mm^2" or nothing.

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "core/quantile.h"
+#include "measure/measured_map.h"
 
 namespace hada {
 namespace {

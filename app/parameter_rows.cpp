@@ -50,7 +50,7 @@ std::vector<ParameterRow> parameter_rows(const MaterialFile& file) {
                                                                 : with_sigma(value, found->second);
           const auto interval =
               std::find_if(file.intervals.begin(), file.intervals.end(),
-                           [&](const MaterialFile::Interval& one) { return one.path == name; });
+                           [&](const FieldInterval& one) { return one.path == name; });
           if (interval != file.intervals.end()) {
             number = fmt::format("{:.4g} (95 %: {:.3g} to {:.3g})", value, interval->low,
                                  interval->high);

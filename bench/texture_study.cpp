@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/wrinkle.h"
+#include "measure/measured_map.h"
 #include "measure/spectrum.h"
 #include "synth/gaussian_field.h"
 #include "synth/synthesize.h"
@@ -63,7 +64,7 @@ Surface piece_of(const Surface& picture, const PixelBox& box) {
 
 TextureScore study_texture(const Surface& picture, int components) {
   const Extent& extent = picture.extent;
-  const auto brightness = luminance(picture.albedo);
+  const auto brightness = measured_map(picture);
   const auto measured = spectrum_of_map(brightness, extent);
   const auto fit = fit_wrinkle(picture, {.components = components});
   const auto made = synthesize(fit.material, extent, seed).height;

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/quantile.h"
+#include "measure/measured_map.h"
 #include "measure/response.h"
 
 namespace hada {
@@ -95,10 +96,9 @@ Observation observe(const Surface& surface, double lens_blur_px) {
   if (!surface.has_height()) {
     seen.remarks.push_back(
         "The input has no height, so its brightness (0 to 1) was fitted: amplitudes are "
-        "brightness, "
-        "while lengths and angles keep their meaning.");
+        "brightness, while lengths and angles keep their meaning.");
   }
-  const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
+  const auto map = measured_map(surface);
   seen.spectrum = power_spectrum(map, surface.mask, surface.extent);
   const bool photographed = surface.has_height() && !surface.normal_sigma.empty();
   const Losses losses{surface.extent.pitch, photographed, lens_blur_px};

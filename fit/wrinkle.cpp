@@ -12,6 +12,7 @@
 #include "fit/whittle.h"
 #include "fit/wrinkle_refine.h"
 #include "fit/wrinkle_starts.h"
+#include "measure/measured_map.h"
 
 namespace hada {
 namespace {
@@ -101,7 +102,7 @@ void forget_ridges(Fit<Wrinkle<>>& fit) {
 
 /// What the map itself tells of them.
 RidgeEvidence add_ridges(Fit<Wrinkle<>>& fit, const Surface& surface, const FitProgress& progress) {
-  const auto map = surface.has_height() ? surface.height : luminance(surface.albedo);
+  const auto map = measured_map(surface);
   const RidgeFit ridges = fit_ridges(map, surface.mask, fit, surface.extent, progress);
   fit.covariance.bottomRightCorner(ridge_fields, ridge_fields) = ridges.covariance;
   fit.material = with(std::move(fit.material), ridges.value);

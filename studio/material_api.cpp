@@ -8,6 +8,7 @@
 #include "studio/folder.h"
 #include "studio/scratch.h"
 #include "studio/surface_bytes.h"
+#include "synth/painted.h"
 #include "synth/synthesize.h"
 
 namespace hada {
@@ -93,7 +94,8 @@ HttpResponse MaterialApi::answer(const std::string& verb, const HttpRequest& req
     const std::string map = verb == "map" ? object.text("map") : "";
     object.finish();
     const std::lock_guard lock(busy_);
-    const Surface surface = made(wanted.file.material, wanted.extent, wanted.seed);
+    const Surface surface =
+        painted(made(wanted.file.material, wanted.extent, wanted.seed), wanted.file.mean_albedo);
     if (verb == "map") return map_of(surface, map);
     return {.type = "application/octet-stream", .body = surface_bytes(surface)};
   }

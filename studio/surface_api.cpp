@@ -11,6 +11,7 @@
 #include "io/surface_file.h"
 #include "studio/folder.h"
 #include "studio/surface_bytes.h"
+#include "synth/painted.h"
 #include "synth/synthesize.h"
 
 namespace hada {
@@ -101,7 +102,7 @@ HttpResponse SurfaceApi::answer(const std::string& verb, const HttpRequest& requ
       Surface surface = small(read_surface(place));
       if (verb == "like") {
         const MaterialFile file = material_of(json["file"].dump(), "the material");
-        surface = synthesize(file.material, surface.extent, Seed(seed));
+        surface = painted(synthesize(file.material, surface.extent, Seed(seed)), file.mean_albedo);
       }
       return {.type = "application/octet-stream", .body = surface_bytes(surface)};
     } catch (const Error& error) {

@@ -15,6 +15,7 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "io/surface_file.h"
+#include "measure/measured_map.h"
 
 namespace hada {
 namespace {

@@ -9,6 +9,7 @@
 #include "app/material_file.h"
 #include "core/error.h"
 #include "io/output.h"
+#include "synth/painted.h"
 #include "synth/synthesize.h"
 
 namespace hada {
@@ -20,7 +21,8 @@ Image picture_of(const std::filesystem::path& path, int width_px) {
   const MaterialFile file = read_material(path);
   Extent extent{512, 512, 1.0, file.unit};
   if (file.input && file.input->extent.rows > 0) extent = file.input->extent;
-  const Surface surface = synthesize(file.material, extent, file.seed.value_or(1));
+  const Surface surface =
+      painted(synthesize(file.material, extent, file.seed.value_or(1)), file.mean_albedo);
   const int longest = std::max(1, width_px * std::max(extent.rows, extent.cols) / extent.cols);
   return shrunk(albedo_picture(surface), longest);
 }

@@ -14,6 +14,7 @@
 #include "io/json.h"
 #include "io/surface_file.h"
 #include "synth/knit_tile.h"
+#include "synth/painted.h"
 #include "synth/synthesize.h"
 #include "synth/unresolved.h"
 
@@ -78,10 +79,11 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
   const auto carved = wood_to_carve(arguments, file.material);
   terminal.step("making " + size_text(extent) + " pixels of " +
                 std::string(name_of(file.material)));
-  const Surface surface =
+  const Surface surface = painted(
       arguments.at.empty()
           ? synthesize(file.material, extent, seed)
-          : synthesize_window(file.material, extent, {arguments.at[0], arguments.at[1]}, seed);
+          : synthesize_window(file.material, extent, {arguments.at[0], arguments.at[1]}, seed),
+      file.mean_albedo);
 
   Json notes = {{"material", name_of(file.material)}, {"seed", seed}, {"version", version()}};
   if (!arguments.at.empty()) notes["window_middle"] = arguments.at;
@@ -94,7 +96,8 @@ void synth_command(const SynthArguments& arguments, const Terminal& terminal) {
     put_picture(output, "opacity.png", Image(tile_opacity(*knit, extent)));
   }
   // Slopes too fine for the normals scatter light as roughness does: everywhere alike.
-  if (const auto* wrinkle = std::get_if<Wrinkle<>>(&file.material)) {
+  const auto* const wrinkle = std::get_if<Wrinkle<>>(&file.material);
+  if (wrinkle && surface.has_height()) {
     const auto roughness = float(roughness_of(unresolved_slopes(*wrinkle, extent.pitch)));
     put_picture(output, "roughness.png", Image(Grid<float>(extent.rows, extent.cols, roughness)));
   }

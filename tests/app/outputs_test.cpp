@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/material_file.h"
 #include "io/lights_file.h"
 #include "program.h"
 
@@ -124,6 +125,51 @@ TEST_F(Outputs, OfOneCommandAreTheInputOfTheNext) {
   EXPECT_EQ(
       answer("fit wrinkle " + picture + " --pitch 0.8 --components 1 -o " + at("bright.json")).code,
       0);
+}
+
+// A painted sheet; `colour` is what its file says of its mean albedo.
+std::string painted_file(const std::string& colour) {
+  return R"({"hada": "material/1", "material": "wrinkle", "unit": "px", "parameters": {"components":
+         [{"amplitude_mm": 0.08, "long_mm": 4.0, "short_mm": 1.5, "angle_rad": 0.6}],
+         "floor_mm4": 1e-5}, "mean_albedo": )" +
+         colour + "}";
+}
+
+// Pictures are fitted to what comes back as a picture: same hue, same brightness, no height.
+TEST_F(Outputs, OfAFitToAPictureAreAPicture) {
+  put(path("cloth.json"), painted_file("[0.4, 0.3, 0.1]"));
+  ASSERT_EQ(
+      answer("synth " + at("cloth.json") + " --pitch 1 --size 160x128 -o " + at("cloth")).code, 0);
+  EXPECT_TRUE(fs::exists(path("cloth") / "albedo.exr"));
+  EXPECT_FALSE(fs::exists(path("cloth") / "height.exr"));
+  EXPECT_FALSE(fs::exists(path("cloth") / "roughness.png"));
+  ASSERT_EQ(answer("fit wrinkle " + at("cloth") + " --components 1 -o " + at("found.json")).code,
+            0);
+  const MaterialFile found = read_material(path("found.json"));
+  ASSERT_EQ(found.mean_albedo.size(), 3u);
+  // The field of 12 x 12 independent places has a mean of 0.007 of its own.
+  EXPECT_NEAR(found.mean_albedo[0], 0.4, 0.02);
+  EXPECT_NEAR(found.mean_albedo[1] / found.mean_albedo[0], 0.75, 1e-4);
+  EXPECT_NEAR(found.mean_albedo[2] / found.mean_albedo[0], 0.25, 1e-4);
+  const auto& ripple = std::get<Wrinkle<>>(found.material).components.front();
+  const auto& sigma = std::get<Wrinkle<>>(*found.sigma).components.front();
+  EXPECT_NEAR(ripple.amplitude_mm, 0.08, 4.0 * sigma.amplitude_mm);
+  EXPECT_NEAR(ripple.long_mm, 4.0, 4.0 * sigma.long_mm);
+  EXPECT_NEAR(ripple.angle_rad, 0.6, 4.0 * sigma.angle_rad);
+  ASSERT_EQ(answer("synth " + at("found.json") + " --seed 9 -o " + at("again")).code, 0);
+  const Answer compared =
+      answer("compare " + at("cloth") + " " + at("again") + " -o " + at("alike"));
+  EXPECT_EQ(compared.code, 0) << compared.err;
+}
+
+TEST_F(Outputs, RefuseAColourThatIsNone) {
+  for (const std::string colour : {"[0.1, 0.2]", "[-0.1]", "[0, 0, 0]", "0.3", "[\"red\"]", "[]"}) {
+    put(path("odd.json"), painted_file(colour));
+    const Answer said = answer("synth " + at("odd.json") + " -o " + at("odd"));
+    EXPECT_EQ(said.code, 2) << colour;
+    EXPECT_NE(said.err.find("mean_albedo"), std::string::npos) << said.err;
+    EXPECT_FALSE(fs::exists(path("odd")));
+  }
 }
 
 TEST_F(Outputs, ValidateFindsTheMaterialOfASmallRig) {

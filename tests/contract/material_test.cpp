@@ -14,6 +14,7 @@
 #include "fit/wood.h"
 #include "fit/wrinkle.h"
 #include "io/json.h"
+#include "measure/measured_map.h"
 #include "measure/polar.h"
 #include "synth/synthesize.h"
 
@@ -43,11 +44,6 @@ auto fitted(const Knit<>&, const Surface& surface) {
 
 auto fitted(const Wood<>&, const Surface& surface) {
   return fit_wood(surface);
-}
-
-/// What there is to measure: the height, or the brightness of what has none.
-Grid<float> map_of(const Surface& surface) {
-  return surface.has_height() ? surface.height : luminance(surface.albedo);
 }
 
 const Extent extent{160, 160, 0.2, Unit::mm};
@@ -149,8 +145,8 @@ TYPED_TEST(MaterialContract, LooksTheSameToMeasureAfterAFit) {
   const TypeParam material;
   const auto original = synthesize(material, extent, 7);
   const auto again = synthesize(fitted(material, original).material, extent, 8);
-  const auto before = rings(power_spectrum(map_of(original), original.mask, extent), 16);
-  const auto after = rings(power_spectrum(map_of(again), again.mask, extent), 16);
+  const auto before = rings(power_spectrum(measured_map(original), original.mask, extent), 16);
+  const auto after = rings(power_spectrum(measured_map(again), again.mask, extent), 16);
   // Steel is stretched between its lowest and highest place, whose luck is in its size and in the
   // error of its levels: there the shape is compared, where it is stronger than that error.
   const bool steel = std::is_same_v<TypeParam, Forged<>>;
