@@ -26,7 +26,10 @@ Unit unit_of(JsonObject& object) {
   return unit == "mm" ? Unit::mm : Unit::px;
 }
 
-std::vector<double> mean_albedo_of(JsonObject& object) {
+std::vector<double> mean_albedo_of(JsonObject& object, const Material& material) {
+  if (!std::holds_alternative<Wrinkle<>>(material)) {
+    object.fail("mean_albedo", "is of wrinkles; other materials have colours of their own");
+  }
   const bool coloured = object.list("mean_albedo").size() == 3;
   const std::vector<double> mean = object.numbers("mean_albedo", coloured ? 3 : 1);
   double sum = 0.0;
@@ -196,7 +199,7 @@ MaterialFile material_of(const std::string& text, const std::string& where) {
   MaterialFile file;
   file.material = parameters_of(object.text("material"), object.object("parameters"));
   file.unit = unit_of(object);
-  if (object.has("mean_albedo")) file.mean_albedo = mean_albedo_of(object);
+  if (object.has("mean_albedo")) file.mean_albedo = mean_albedo_of(object, file.material);
   if (object.has("seed")) file.seed = seed_of(object);
   if (object.has("input")) file.input = input_of(object.object("input"), file.unit);
   read_record(json, object, file);

@@ -49,7 +49,9 @@ HttpResponse map_of(const Surface& surface, const std::string& map) {
     }
     write_exr(path, image);
   } else {
-    throw Error("this material has no map \"" + map + "\"; there are height, normal and albedo");
+    throw Error(
+        "this material has no map \"" + map +
+        "\"; there are height, normal and albedo, of what was fitted to a picture albedo alone");
   }
   return download(map + ".exr", text_of_file(path));
 }

@@ -51,6 +51,17 @@ TEST(MaterialFile, NamesWhatComesBackOnlyWhereThereIsSome) {
   EXPECT_EQ(std::get<Wrinkle<>>(read.material).repeated.front().period_mm, 1.5);
 }
 
+TEST(MaterialFile, IsPaintedOnlyWhereAPictureWasFitted) {
+  MaterialFile file = fitted();
+  EXPECT_EQ(material_text(file).find("mean_albedo"), std::string::npos);
+  file.mean_albedo = {0.5, 0.25, 0.125};
+  EXPECT_EQ(material_of(material_text(file), "m.json").mean_albedo, file.mean_albedo);
+  MaterialFile wood;
+  wood.material = Wood<>();
+  wood.mean_albedo = {0.5};
+  EXPECT_THROW(material_of(material_text(wood), "m.json"), Error);
+}
+
 TEST(MaterialFile, TakesNoDamagedRecordOfAFit) {
   const std::string whole = material_text(fitted());
   for (const auto& [part, damaged] : {std::pair{"\"A remark.\"", "7"},

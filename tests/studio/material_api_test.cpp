@@ -56,6 +56,18 @@ TEST_F(MaterialRequests, KeepToTheBounds) {
   EXPECT_EQ(status_of(post(studio_, "api/material/preview", request.dump())), 422);
 }
 
+TEST_F(MaterialRequests, PaintWhatWasFittedToAPicture) {
+  Json request = wanted(tables()[0], 64);
+  const std::string raised = body_of(post(studio_, "api/material/preview", request.dump()));
+  request["file"]["mean_albedo"] = {0.5, 0.4, 0.3};
+  const std::string painted = body_of(post(studio_, "api/material/preview", request.dump()));
+  // Of the flags in the head: 1 normals, 2 albedo, 4 height.
+  EXPECT_EQ(raised[12] & 7, 7);
+  EXPECT_EQ(painted[12] & 7, 2);
+  request["map"] = "height";
+  EXPECT_THAT(post(studio_, "api/material/map", request.dump()), HasSubstr("albedo alone"));
+}
+
 TEST_F(MaterialRequests, AnswerWhileASliderMoves) {
   for (const Json& table : tables()) {
     Json request = wanted(table, 512);

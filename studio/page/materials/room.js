@@ -19,9 +19,11 @@ export async function openMaterials() {
   /** @type {any} */
   let parameters = {};
   let unit = 'mm';
+  /** Of a sheet that is painted, fitted to a picture. @type {number[] | undefined} */
+  let colour;
 
   const wanted = () => ({
-    file: { hada: 'material/1', material: table.name, parameters, unit },
+    file: { hada: 'material/1', material: table.name, parameters, unit, mean_albedo: colour },
     size_px: Number(part('material-size').value),
     pitch: Number(part('material-pitch').value),
     seed: Number(part('material-seed').value),
@@ -58,6 +60,7 @@ export async function openMaterials() {
   names.addEventListener('change', () => {
     table = tables.find((t) => t.name === names.value) ?? tables[0];
     unit = 'mm';
+    colour = undefined;
     part('material-pitch').value = String(pitches[table.name] ?? 0.1);
     solids.offer(table.name);
     choose(table.defaults);
@@ -78,6 +81,7 @@ export async function openMaterials() {
     table = found;
     names.value = found.name;
     unit = read.unit ?? 'mm';
+    colour = read.mean_albedo;
     solids.offer(table.name);
     if (read.input?.pitch) part('material-pitch').value = String(read.input.pitch);
     choose(read.parameters);
