@@ -1,5 +1,7 @@
 #include "app/fit_material.h"
 
+#include <algorithm>
+
 #include "app/knit_files.h"
 #include "app/measurement.h"
 #include "core/mean.h"
@@ -74,12 +76,16 @@ void add_findings(MaterialFile& file, const ForgedFit& fit) {
       {"masame", fit.kinds.masame}, {"itame", fit.kinds.itame}, {"mokume", fit.kinds.mokume}};
 }
 
-// Of the hue that the picture has on the whole: linear, as many values as it has planes.
+// Of the hue that the picture has on the whole: linear, as many values as it has planes; none where
+// it is as dark as what was taken off it.
 std::vector<double> colour_of_mean_brightness(const Surface& picture) {
   std::vector<double> colour;
-  for (const auto& plane : picture.albedo.planes) colour.push_back(mean(plane, picture.mask));
+  for (const auto& plane : picture.albedo.planes) {
+    colour.push_back(std::max(0.0, mean(plane, picture.mask)));
+  }
   const double luminance_of_means = mean(luminance(picture.albedo), picture.mask);
   const double wanted = linear_from_srgb(float(mean(measured_map(picture), picture.mask)));
+  if (!(luminance_of_means > 0.0 && wanted > 0.0)) return {};
   for (double& value : colour) value *= wanted / luminance_of_means;
   return colour;
 }

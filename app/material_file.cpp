@@ -34,7 +34,7 @@ std::vector<double> mean_albedo_of(JsonObject& object, const Material& material)
   const std::vector<double> mean = object.numbers("mean_albedo", coloured ? 3 : 1);
   double sum = 0.0;
   for (const double value : mean) {
-    if (!(value >= 0.0)) object.fail("mean_albedo", "must not be negative");
+    if (!(value >= 0.0 && value <= 1e6)) object.fail("mean_albedo", "must lie between 0 and 1e6");
     sum += value;
   }
   if (!(sum > 0.0)) object.fail("mean_albedo", "must not be black");

@@ -163,7 +163,8 @@ TEST_F(Outputs, OfAFitToAPictureAreAPicture) {
 }
 
 TEST_F(Outputs, RefuseAColourThatIsNone) {
-  for (const std::string colour : {"[0.1, 0.2]", "[-0.1]", "[0, 0, 0]", "0.3", "[\"red\"]", "[]"}) {
+  for (const std::string colour :
+       {"[0.1, 0.2]", "[-0.1]", "[0, 0, 0]", "0.3", "[1e300]", "[\"red\"]", "[]"}) {
     put(path("odd.json"), painted_file(colour));
     const Answer said = answer("synth " + at("odd.json") + " -o " + at("odd"));
     EXPECT_EQ(said.code, 2) << colour;
