@@ -2,6 +2,7 @@
 
 #include "capture/diagnose.h"
 #include "capture/find_spheres.h"
+#include "capture/given_lights.h"
 #include "capture/light_stack.h"
 #include "capture/movement.h"
 #include "capture/strengths.h"
@@ -89,6 +90,9 @@ LitCapture lit_capture(Photographs photographs,
   }
   settle_encoding(photographs, lit.lights.lights);
   lit.lights.encoding = photographs.linear ? "linear" : "srgb";
+  if (!lit.calibration) {
+    add(lit.remarks, remarks_on_given_lights(photographs, lit.lights.lights, lit.spheres));
+  }
   terminal.step("finding the sample");
   lit.photographs = without_pictures(photographs);
   lit.stack = light_stack(std::move(photographs), lit.lights.lights, lit.spheres);

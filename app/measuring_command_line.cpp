@@ -58,6 +58,9 @@ void add_measuring(Commands& commands) {
                      "and the light between folds; least-squares is the plain method; "
                      "others: " +
                          estimator_names());
+                 command.add_flag("--labels", a.labels,
+                                  "also say what became of every sample: lit, shadow, highlight, "
+                                  "saturated; a picture for each light");
                  add_out(command, a, "surface folder to write")->required();
                });
   commands.add(

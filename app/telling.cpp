@@ -110,7 +110,9 @@ std::string told(const Reconstruction& r) {
     text += fmt::format(", normals known to {:.2g} deg",
                         root_mean_square(s.normal_sigma, s.mask) / degree);
   }
-  return text + fmt::format(", relighting error {:.1f} %", 100.0 * r.relighting_error);
+  text += fmt::format(", relighting error {:.1f} %", 100.0 * r.relighting_error);
+  if (!(r.left_out_error > 0.0)) return text;  // too few lights to leave one out
+  return text + fmt::format(" ({:.1f} % of samples left out)", 100.0 * r.left_out_error);
 }
 
 std::vector<std::string> told(const MaterialFile& file) {

@@ -2,8 +2,8 @@
 
 #include "app/files.h"
 #include "app/fit_material.h"
+#include "app/reconstruction_files.h"
 #include "app/report/report.h"
-#include "app/surface_notes.h"
 #include "app/telling.h"
 #include "io/json.h"
 #include "io/surface_file.h"
@@ -36,12 +36,8 @@ TruthCheck check_truth(const WholePath& path, const std::filesystem::path& folde
 }
 
 void write_whole_path(const WholePath& path, Output& output) {
-  const std::string lights = lights_text(path.lit.lights);
-  put_text(output, "lights.json", lights);
-  write_surface(output, "surface/", path.reconstruction.surface,
-                surface_notes(path.reconstruction));
-  put_text(output, "surface/lights.json", lights);
-  put_previews(output, "surface/", path.reconstruction.surface);
+  put_text(output, "lights.json", lights_text(path.lit.lights));
+  put_reconstruction(output, "surface/", path.reconstruction, path.lit);
   put_text(output, "measure.json", measurement_text(path.measurement));
   put_text(output, "material.json", material_text(path.material));
   write_surface(output, "synth/", path.synthesized);
@@ -66,7 +62,7 @@ std::string whole_path_text(const WholePath& path, const std::filesystem::path& 
   Json json = {{"hada", "run/1"},
                {"report", (folder / "report.html").string()},
                {"lights", Json::parse(lights_text(path.lit.lights))},
-               {"reconstruction", Json::parse(surface_notes(path.reconstruction))},
+               {"reconstruction", Json::parse(surface_notes(path.reconstruction, path.lit))},
                {"material", Json::parse(material_text(path.material))}};
   if (path.truth) json["truth"] = Json::parse(comparison_text(path.truth->surface));
   return json.dump(1);

@@ -17,6 +17,7 @@ struct ReconstructOptions {
   Levelling levelling = Levelling::plane;
   Estimator estimator = default_estimator;
   std::optional<PriorHeights> prior{};  // on the pixels of the pictures: instead of levelling
+  bool labels = false;                  // whether every sample gets its label
 };
 
 /// A surface, and what a person should know of how it came about.
@@ -28,6 +29,8 @@ struct Reconstruction {
   double left_out_error = 0.0;       // each sample against the fit to the others; all lit samples
   std::vector<double> light_errors;  // left_out_error of each light
   Grid<std::uint8_t> inliers;        // samples believed at each pixel of the surface
+  Grid<float> albedo_sigma;          // of the grey albedo there
+  std::vector<Grid<Sample>> labels;  // of each picture there; empty: not asked for
   double condition = 0.0;            // of the light directions
   std::vector<std::string> remarks;  // plain sentences: what is poor, and what would help
 };

@@ -1,11 +1,9 @@
 #include "app/commands/reconstruct.h"
 
-#include "app/files.h"
 #include "app/lit_capture.h"
-#include "app/surface_notes.h"
+#include "app/reconstruction_files.h"
 #include "app/telling.h"
 #include "core/error.h"
-#include "io/surface_file.h"
 #include "reconstruct/reconstruct.h"
 
 namespace hada {
@@ -31,26 +29,25 @@ void reconstruct_command(const ReconstructArguments& arguments, const Terminal& 
   const LitCapture lit = lit_capture(std::move(photographs), arguments.lights, terminal);
   terminal.step("reconstructing normals and height");
   ReconstructOptions options{.levelling = levelling_named(arguments.levelling),
-                             .estimator = chosen_estimator(arguments.estimator)};
+                             .estimator = chosen_estimator(arguments.estimator),
+                             .labels = arguments.labels};
   if (arguments.prior.file) {
     const Extent frame = lit.stack.extent();
     options.prior = read_prior(arguments.prior, frame, {0, 0, frame.rows, frame.cols});
   }
   const Reconstruction result = reconstruct(lit.stack, options);
 
-  const std::string notes = surface_notes(result);
-  write_surface(output, "", result.surface, notes);
-  put_text(output, "lights.json", lights_text(lit.lights));
-  put_previews(output, "", result.surface);
+  put_reconstruction(output, "", result, lit);
   output.commit();
 
   terminal.say(told(lit));
   terminal.say(told(result));
+  if (arguments.labels) terminal.say(told_of_labels(result));
   if (options.prior) terminal.say(told_of_prior(arguments.prior, result.surface));
   for (const auto& remark : lit.remarks) terminal.say("note: " + remark);
   for (const auto& remark : result.remarks) terminal.say("note: " + remark);
   terminal.say("wrote " + arguments.out.string());
-  terminal.result(notes);
+  terminal.result(surface_notes(result, lit));
 }
 
 }  // namespace hada

@@ -17,6 +17,7 @@ struct ReconstructArguments {
   std::string levelling = "plane";
   PriorArguments prior;
   std::string estimator = "adaptive";
+  bool labels = false;  // whether a picture of every light says what became of each sample
 };
 
 /// Turns a capture into a surface folder with previews.

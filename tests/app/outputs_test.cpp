@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/material_file.h"
+#include "io/json.h"
 #include "io/lights_file.h"
 #include "program.h"
 
@@ -102,6 +103,21 @@ TEST_F(Outputs, ReportRefersToNothingOutsideItself) {
     EXPECT_EQ(report.find(outside), std::string::npos) << outside;
   }
   EXPECT_EQ(report.find(">nan"), std::string::npos);  // no number went missing
+}
+
+TEST_F(Outputs, SayWhatBecameOfEverySample) {
+  const Answer said = answer("reconstruct " + at("capture") + " --labels --json -o " + at("told"));
+  ASSERT_EQ(said.code, 0) << said.err;
+  for (const char* name : {"albedo_sigma.exr", "inliers.png", "labels/01.png", "labels/04.png"}) {
+    EXPECT_TRUE(fs::exists(path("told") / name)) << name;
+  }
+  const Json samples = Json::parse(said.out)["samples"];
+  double all = 0.0;
+  for (const auto& [label, share] : samples.items()) all += share.get<double>();
+  EXPECT_NEAR(all, 1.0, 1e-9);
+  EXPECT_GT(samples["lit"].get<double>(), 0.9);
+  // A folder without them says nothing of them.
+  EXPECT_FALSE(fs::exists(path("one") / "surface" / "labels"));
 }
 
 TEST_F(Outputs, OfOneCommandAreTheInputOfTheNext) {
