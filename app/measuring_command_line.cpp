@@ -78,6 +78,9 @@ void add_measuring(Commands& commands) {
                            "pixels (default: seen from straight above)");
         command.add_option("--weights", a.weights,
                            "picture: how much each pixel counts, 1 over its variance");
+        command.add_option("--normal-sigma", a.normal_sigma,
+                           "how well normals are known, for the sigma of the height: degrees, or "
+                           "a map in radians");
         add_pitch(command, a);
         command.add_flag("--y-down", a.y_down, "the y of the normals points down (default: up)");
         command

@@ -71,7 +71,7 @@ std::string size_text(const Image& image) {
 Image companion(const std::filesystem::path& path, const Camera& camera) {
   Image image = read_image(path).image;
   if (image.rows() != camera.extent.rows || image.cols() != camera.extent.cols) {
-    throw Error(fmt::format("{}: is {} pixels, but the pictures are {} x {}; use one size",
+    throw Error(fmt::format("{}: is {}, but the pictures are {} x {}; use one size",
                             path.string(), size_text(image), camera.extent.cols,
                             camera.extent.rows));
   }

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <string_view>
 
 #include "core/error.h"
 
@@ -90,8 +93,14 @@ Grid<float> read_plane(const std::filesystem::path& path, const Mask& size) {
 }
 
 Eigen::Matrix3d read_intrinsics(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in) throw Error(path.string() + ": cannot be read; give a text file with nine numbers");
+  std::ifstream file(path);
+  if (!file) throw Error(path.string() + ": cannot be read; give a text file with nine numbers");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  // However they are parted: by spaces, commas, semicolons, or as a list of lists.
+  for (char& c : text) {
+    if (std::string_view(",;[]()").find(c) != std::string_view::npos) c = ' ';
+  }
+  std::istringstream in(text);
   Eigen::Matrix3d k;
   for (int i = 0; i < 9; ++i) {
     if (!(in >> k(i / 3, i % 3)) || !std::isfinite(k(i / 3, i % 3))) {

@@ -11,9 +11,16 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n"sv;
 constexpr std::string_view jpeg_signature = "\xff\xd8\xff"sv;
+constexpr std::string_view tiff_signatures[] = {"II\x2a\0"sv, "MM\0\x2a"sv};
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t i) {
   return static_cast<unsigned char>(bytes[i]);
+}
+
+std::uint64_t little_endian(std::string_view bytes, std::size_t start, int count) {
+  std::uint64_t value = 0;
+  for (int i = count; i-- > 0;) value = value << 8 | byte_at(bytes, start + std::size_t(i));
+  return value;
 }
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t start, int count) {
@@ -77,11 +84,23 @@ bool is_whole_jpeg(std::string_view bytes) {
   return false;
 }
 
+// The first directory, which says where all else lies; most programs write it last.
+bool is_whole_tiff(std::string_view bytes) {
+  constexpr std::size_t head = 8;
+  if (bytes.size() < head) return false;
+  const bool little = bytes[0] == 'I';
+  const std::uint64_t at = little ? little_endian(bytes, 4, 4) : big_endian(bytes, 4, 4);
+  return at >= head && at + 2 <= bytes.size();
+}
+
 }  // namespace
 
 bool is_whole(std::string_view bytes) {
   if (bytes.starts_with(png_signature)) return is_whole_png(bytes);
   if (bytes.starts_with(jpeg_signature)) return is_whole_jpeg(bytes);
+  for (const auto& signature : tiff_signatures) {
+    if (bytes.starts_with(signature)) return is_whole_tiff(bytes);
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -129,16 +130,19 @@ std::vector<std::string> remarks_on(const LightStack& stack, const Orientation& 
   remark_on_inliers(found, lights, remarks);
   remark_on_lights(stack, found, remarks);
   remark_on_terms(found, remarks);
-  const Regions regions = regions_of(found.mask);
-  const auto notable = std::count_if(regions.size.begin() + 1, regions.size.end(), [&](int size) {
-    return size > notable_region * double(pixels_in(found.mask));
-  });
-  if (notable > 1) {
-    remarks.push_back(fmt::format(
-        "The mask has {} separate regions; how high they lie above one another is not known.",
-        notable));
-  }
+  if (auto remark = remark_on_regions(found.mask)) remarks.push_back(std::move(*remark));
   return remarks;
+}
+
+std::optional<std::string> remark_on_regions(const Mask& mask) {
+  const Regions regions = regions_of(mask);
+  const auto pixels = double(pixels_in(mask));
+  const auto notable = std::count_if(regions.size.begin() + 1, regions.size.end(),
+                                     [&](int size) { return size > notable_region * pixels; });
+  if (notable < 2) return {};
+  return fmt::format(
+      "The mask has {} separate regions; how high they lie above one another is not known.",
+      notable);
 }
 
 }  // namespace hada

@@ -1,9 +1,12 @@
 #include "app/commands/integrate.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -16,8 +19,11 @@
 #include "io/json.h"
 #include "io/normal_file.h"
 #include "io/surface_file.h"
+#include "reconstruct/height_sigma.h"
 #include "reconstruct/integrate.h"
 #include "reconstruct/level.h"
+#include "reconstruct/remarks.h"
+#include "reconstruct/turned_y.h"
 
 namespace hada {
 namespace {
@@ -50,6 +56,7 @@ struct Input {
   Surface surface;
   IntegrateOptions options;
   double share_without_normal = 0.0;  // of the pixels that the mask asks for
+  double share_without_weight = 0.0;  // of those with a normal: 0, below, or no number
   Extent frame;                       // of the whole normal map
   PixelBox box;                       // what the surface is of it
 };
@@ -59,6 +66,29 @@ template <class T>
 Grid<T> cut(Grid<T> map, const PixelBox& box) {
   if (map.rows() == box.rows && map.cols() == box.cols) return map;
   return crop(map, box.row, box.col, box.rows, box.cols);
+}
+
+// Radians. told: degrees for all pixels, or the name of a map; nothing where nothing is told
+Grid<float> sigma_of_normals(const std::string& told, const Mask& mask) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  if (told.empty()) return {};
+  double sigma_deg = 0.0;
+  const char* const end = told.data() + told.size();
+  if (const auto read = std::from_chars(told.data(), end, sigma_deg);
+      read.ec == std::errc() && read.ptr == end) {
+    if (!(sigma_deg > 0.0 && sigma_deg <= 90.0)) {
+      throw Error("--normal-sigma " + told + ": must lie above 0 and up to 90 degrees");
+    }
+    return {mask.rows(), mask.cols(), float(sigma_deg * degree), mask.memory()};
+  }
+  Grid<float> sigma = read_plane(told, mask);
+  for (std::size_t i = 0; i < sigma.size(); ++i) {
+    if (mask[i] && !(sigma[i] >= 0.0f && std::isfinite(sigma[i]))) {
+      throw Error(told + ": holds a sigma that is negative or no number inside the mask; give " +
+                  "radians, as in normal_sigma.exr");
+    }
+  }
+  return sigma;
 }
 
 Input read_input(const IntegrateArguments& arguments, DiskMemory& disk) {
@@ -79,9 +109,12 @@ Input read_input(const IntegrateArguments& arguments, DiskMemory& disk) {
   Grid<float> weight;
   if (arguments.weights) {
     weight = read_plane(*arguments.weights, file.mask);
+    const auto before = double(pixels_in(file.mask));
     keep(file.mask, weight, 0.0f);
+    if (before > 0.0) input.share_without_weight = 1.0 - double(pixels_in(file.mask)) / before;
     for (float& w : weight) w = std::isfinite(w) && w > 0.0f ? w : 1.0f;
   }
+  Grid<float> sigma = sigma_of_normals(arguments.normal_sigma, file.mask);
   if (pixels_in(file.mask) == 0) {
     throw Error(arguments.normals.string() +
                 ": no pixel is left that has a normal and is in the mask; check the mask");
@@ -99,6 +132,7 @@ Input read_input(const IntegrateArguments& arguments, DiskMemory& disk) {
   surface.mask = cut(std::move(file.mask), box);
   surface.normals = cut(std::move(file.normals), box);
   surface.offset_px = {box.col, box.row};
+  surface.normal_sigma = cut(std::move(sigma), box);
   input.options.weight = cut(std::move(weight), box);
   if (arguments.intrinsics) {
     const Eigen::Matrix3d k = read_intrinsics(*arguments.intrinsics);
@@ -122,12 +156,37 @@ void write_depth(const std::filesystem::path& path, const Surface& surface,
       });
 }
 
-std::string notes_of(const Input& input, const Integrated& found) {
+std::vector<std::string> remarks_on(const Input& input, bool y_down) {
+  const Surface& surface = input.surface;
+  std::vector<std::string> remarks;
+  const auto percent = [](double share) { return fmt::format("{:.2g} %", 100.0 * share); };
+  if (input.share_without_normal > 0.0) {
+    remarks.push_back(percent(input.share_without_normal) +
+                      " of the mask holds no normal and is left out");
+  }
+  if (input.share_without_weight > 0.0) {
+    remarks.push_back(percent(input.share_without_weight) +
+                      " of the pixels have a weight that is not above 0, and are left out");
+  }
+  constexpr double clearly = 4.0;
+  if (const double gain = gain_of_turned_y(surface.normals, surface.mask); gain > clearly) {
+    remarks.push_back(fmt::format(
+        "the slopes would agree with a height {:.0f} times better if their y pointed the other "
+        "way: {}",
+        std::sqrt(gain), y_down ? "leave out --y-down" : "give --y-down"));
+  }
+  if (const auto remark = remark_on_regions(surface.mask)) remarks.push_back(*remark);
+  return remarks;
+}
+
+std::string notes_of(const Input& input, const Integrated& found,
+                     const std::vector<std::string>& remarks) {
   Json notes = {{"integration", found.may_jump ? "edge-aware" : "least squares"},
                 {"reason", found.reason},
                 {"projection", input.options.pin_hole ? "pin-hole" : "orthographic"},
                 {"weighted", !input.options.weight.empty()},
                 {"version", version()}};
+  if (!remarks.empty()) notes["remarks"] = remarks;
   return notes.dump(1);
 }
 
@@ -159,10 +218,17 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
   } else {
     level(surface.height, surface.mask, levelling_named(arguments.levelling));
   }
+  if (!surface.normal_sigma.empty()) {
+    terminal.step("drawing heights for their sigma");
+    surface.height_sigma =
+        height_sigma(surface.normals, surface.normal_sigma, surface.mask, surface.extent.pitch,
+                     levelling_named(arguments.levelling), prior ? &*prior : nullptr);
+  }
   surface.levelling = prior ? std::string(prior_levelling) : arguments.levelling;
 
   terminal.step("writing the surface");
-  const std::string notes = notes_of(input, found);
+  const auto remarks = remarks_on(input, arguments.y_down);
+  const std::string notes = notes_of(input, found, remarks);
   write_surface(output, "", surface, notes);
   put_previews(output, "", surface);
   output.commit();
@@ -172,10 +238,7 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
                            found.may_jump ? "a height that may jump" : "least-squares height"));
   terminal.say("because " + found.reason);
   if (prior) terminal.say(told_of_prior(arguments.prior, surface));
-  if (input.share_without_normal > 0.0) {
-    terminal.say(fmt::format("note: {:.2g} % of the mask holds no normal and is left out",
-                             100.0 * input.share_without_normal));
-  }
+  for (const auto& remark : remarks) terminal.say("note: " + remark);
   terminal.say("wrote " + arguments.out.string());
   terminal.result(notes);
 }

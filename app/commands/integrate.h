@@ -15,6 +15,7 @@ struct IntegrateArguments {
   std::optional<std::filesystem::path> mask;
   std::optional<std::filesystem::path> intrinsics;
   std::optional<std::filesystem::path> weights;
+  std::string normal_sigma;  // degrees, or the name of a map in radians; empty: not known
   std::optional<double> pitch_mm;
   bool y_down = false;
   std::string jumps = "automatic";

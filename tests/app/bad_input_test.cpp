@@ -229,6 +229,47 @@ TEST_F(BadNormals, GoodOnesBecomeASurface) {
   EXPECT_NEAR(height(5, 29) - height(5, 0), -0.75f * 2.9f, 1e-4f);
 }
 
+TEST_F(BadNormals, WhoseSigmaIsKnownGiveThatOfTheHeight) {
+  const std::string words = "integrate " + file("normals.exr") + " --normal-sigma ";
+  ASSERT_EQ(answer(words + "0.5 -o " + file("even")).code, 0);
+  const auto sigma = [&](const char* folder) {
+    return read_image(scratch / folder / "height_sigma.exr").image.planes[0](10, 15);
+  };
+  EXPECT_GT(sigma("even"), 0.0f);
+  // A map of the same in radians says the same; twice as much, twice as much.
+  write_exr(scratch / "sigma.exr", flat_picture(20, 30, float(2.0 * 0.5 * M_PI / 180.0)));
+  ASSERT_EQ(answer(words + file("sigma.exr") + " -o " + file("map")).code, 0);
+  EXPECT_NEAR(sigma("map") / sigma("even"), 2.0, 1e-3);
+  for (const std::string bad : {"0", "-1", "1e9", "nan", "nothing.exr"}) {
+    expect_refused(file("normals.exr") + " --normal-sigma " + bad);
+  }
+  Image spoilt = flat_picture(20, 30, 0.1f);
+  spoilt.planes[0](3, 4) = std::nanf("");
+  write_exr(scratch / "spoilt.exr", spoilt);
+  expect_refused(file("normals.exr") + " --normal-sigma " + file("spoilt.exr"));
+}
+
+TEST_F(BadNormals, AreTakenHoweverTheirMatrixIsWritten) {
+  put(scratch / "L.txt", "[[500, 0, 15], [0, 500, 10], [0, 0, 1]]");
+  const Answer said = answer("integrate " + file("normals.exr") + " --intrinsics " + file("L.txt") +
+                             " -o " + file("out"));
+  EXPECT_EQ(said.code, 0) << said.err;
+}
+
+TEST_F(BadNormals, SayWhatOfThemIsLeftOut) {
+  Image weights = flat_picture(20, 30, 1.0f);
+  for (int col = 0; col < 30; ++col) weights.planes[0](19, col) = -1.0f;
+  write_exr(scratch / "weights.exr", weights);
+  Image mask = flat_picture(20, 30, 1.0f);
+  for (int row = 0; row < 20; ++row) mask.planes[0](row, 12) = 0.0f;
+  write_integer_image(scratch / "parts.png", mask, 8);
+  const Answer said = answer("integrate " + file("normals.exr") + " --mask " + file("parts.png") +
+                             " --weights " + file("weights.exr") + " -o " + file("out"));
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_NE(said.out.find("5 % of the pixels have a weight"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("2 separate regions"), std::string::npos) << said.out;
+}
+
 TEST_F(BadNormals, MapsOnTheDiskGiveTheSameBytes) {
   Image map(700, 900, 3);
   for (std::size_t i = 0; i < map.planes[0].size(); ++i) {

@@ -41,6 +41,18 @@ TEST(WholeFile, SeesEveryCutAndEveryChangedByteOfAPng) {
   }
 }
 
+TEST(WholeFile, SeesThatATiffLacksItsDirectory) {
+  const std::string little = "II\x2a\0\x10\0\0\0"s + "12345678"s + "\x01\0"s;
+  const std::string big = "MM\0\x2a\0\0\0\x10"s + "12345678"s + "\0\x01"s;
+  for (const std::string& whole : {little, big}) {
+    EXPECT_TRUE(is_whole(whole));
+    for (std::size_t size = 4; size < whole.size(); ++size) {
+      EXPECT_FALSE(is_whole(whole.substr(0, size))) << size;
+    }
+  }
+  EXPECT_FALSE(is_whole("II\x2a\0\xff\xff\xff\xff and no more"s));
+}
+
 TEST(WholeFile, LeavesOtherFormatsToOthers) {
   EXPECT_TRUE(is_whole(""));
   EXPECT_TRUE(is_whole("II*"));
