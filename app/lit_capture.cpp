@@ -1,6 +1,7 @@
 #include "app/lit_capture.h"
 
 #include "capture/diagnose.h"
+#include "capture/encoding.h"
 #include "capture/find_spheres.h"
 #include "capture/given_lights.h"
 #include "capture/light_stack.h"
@@ -92,6 +93,8 @@ LitCapture lit_capture(Photographs photographs,
   lit.lights.encoding = photographs.linear ? "linear" : "srgb";
   if (!lit.calibration) {
     add(lit.remarks, remarks_on_given_lights(photographs, lit.lights.lights, lit.spheres));
+    const auto doubt = doubt_of_linear(photographs, lit.lights.lights);
+    if (doubt) lit.remarks.push_back(*doubt);
   }
   terminal.step("finding the sample");
   lit.photographs = without_pictures(photographs);

@@ -4,71 +4,20 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Dense>
 #include <fmt/core.h>
 
+#include "capture/equalized.h"
 #include "capture/sample_mask.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "core/quantile.h"
 
 namespace hada {
 namespace {
-
-// A grey value with the light's strength divided out of each channel.
-float equalized(const Image& image, const Light& light, std::size_t pixel) {
-  if (image.channels() < 3) return float(image.planes[0][pixel] / light.strength[0]);
-  float grey = 0.0f;
-  for (int c = 0; c < 3; ++c) {
-    grey += luminance_weight[c] * float(image.planes[std::size_t(c)][pixel] / light.strength[c]);
-  }
-  return grey;
-}
 
 void scale_strengths(std::vector<Light>& lights) {
   double sum = 0.0;
   for (const Light& light : lights) sum += light.strength.mean();
   for (Light& light : lights) light.strength *= double(lights.size()) / sum;
-}
-
-// The share of the brightness of bright pixels that no Lambertian surface under these lights shows.
-double unexplained(const Photographs& photographs, const std::vector<Light>& lights,
-                   bool as_linear) {
-  Photographs read = copy_of(photographs);
-  read.linear = as_linear;
-  const Photographs linear = linearized(std::move(read));
-  const std::size_t size = linear.images.front().planes.front().size();
-  const std::size_t stride = std::max<std::size_t>(1, size / 20000);
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < size; i += stride) {
-    if (linear.mask.empty() || linear.mask[i]) chosen.push_back(i);
-  }
-  const auto count = Eigen::Index(lights.size());
-  Eigen::MatrixX3d directions(count, 3);
-  Eigen::MatrixXd all_values(count, Eigen::Index(chosen.size()));
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Image& image = linear.images[std::size_t(k)];
-    const Light& light = lights[std::size_t(k)];
-    directions.row(k) = light.direction;
-    for (std::size_t p = 0; p < chosen.size(); ++p) {
-      all_values(k, Eigen::Index(p)) = equalized(image, light, chosen[p]);
-    }
-    image.let_go();
-  }
-  const Eigen::MatrixXd inverse = directions.completeOrthogonalDecomposition().pseudoInverse();
-  std::vector<std::pair<double, double>> pixels;  // brightness, residual
-  for (Eigen::Index p = 0; p < all_values.cols(); ++p) {
-    const Eigen::VectorXd values = all_values.col(p);
-    const double residual = (values - directions * (inverse * values)).norm();
-    pixels.emplace_back(values.norm(), residual);
-  }
-  if (pixels.empty()) return 0.0;
-  std::sort(pixels.begin(), pixels.end());
-  std::vector<double> shares;
-  for (std::size_t i = pixels.size() / 2; i < pixels.size(); ++i) {
-    shares.push_back(pixels[i].second / std::max(pixels[i].first, 1e-12));
-  }
-  return median(std::move(shares));
 }
 
 // What all pictures together show at each pixel, and which of its samples can be believed.
@@ -210,25 +159,6 @@ LightsFile matched_lights(LightsFile lights, const Photographs& photographs) {
   lights.lights = matched_lights(lights.lights, photographs.file);
   lights.highlights_px.clear();  // in pictures of another day
   return lights;
-}
-
-void settle_encoding(Photographs& photographs, const std::vector<Light>& lights) {
-  if (photographs.encoding_known) return;
-  if (lights.size() < 4) {
-    photographs.remarks.push_back(
-        "Too few pictures to tell how the 8-bit values are encoded; sRGB is assumed (say "
-        "\"encoding\" in capture.json if it is not).");
-    return;
-  }
-  const double linear = unexplained(photographs, lights, true);
-  const double srgb = unexplained(photographs, lights, false);
-  photographs.linear = linear <= srgb;
-  photographs.encoding_known = true;
-  photographs.remarks.push_back(fmt::format(
-      "The 8-bit pictures are read as {}: that leaves {:.1f} % of the brightness unexplained, the "
-      "other reading {:.1f} %.",
-      photographs.linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
-      100.0 * std::max(linear, srgb)));
 }
 
 LightStack light_stack(Photographs photographs, std::vector<Light> lights,

@@ -23,11 +23,6 @@ std::vector<Light> matched_lights(const std::vector<Light>& lights, const Captur
 /// throws  Error as above, or if near lights stand in another unit than that of the pictures
 LightsFile matched_lights(LightsFile lights, const Photographs& photographs);
 
-/// Settles whether pictures of unknown encoding are linear, by which reading lets the lights
-/// explain the brightness of the pixels better; says so in the remarks. Does nothing where it is
-/// known.
-void settle_encoding(Photographs& photographs, const std::vector<Light>& lights);
-
 /// The stack that reconstruction works on: linear pictures, lights, samples marked, sample found.
 ///
 /// Samples are saturated where the file was at its largest value, shadowed where hardly any light

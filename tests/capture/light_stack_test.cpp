@@ -109,22 +109,6 @@ TEST(LightStack, RefusesAManifestThatGivesOnlySomeLights) {
   EXPECT_THROW(lights_in(file), Error);
 }
 
-TEST(LightStack, SettlesTheEncodingByWhatTheLightsExplain) {
-  for (const bool linear : {true, false}) {
-    Photographs photographs = table_scene({});
-    photographs.encoding_known = false;
-    if (!linear) {
-      for (Image& image : photographs.images) {
-        for (float& value : image.planes[0]) value = srgb_from_linear(value);
-      }
-    }
-    settle_encoding(photographs, six_lights());
-    EXPECT_TRUE(photographs.encoding_known);
-    EXPECT_EQ(photographs.linear, linear);
-    EXPECT_EQ(photographs.remarks.size(), 1u);
-  }
-}
-
 TEST(LightStack, IsTheSameOfPicturesOnDisk) {
   const Photographs in_memory = table_scene({matte_at(-18.0, 0.0)});
   Photographs on_disk = in_memory;
