@@ -12,23 +12,29 @@
 namespace hada {
 namespace {
 
+/// Of ordinates at whole steps of frequency: their sums are exact, so that cells of one shape have
+/// one scatter to the last bit.
 struct Sums {
-  double fx = 0.0, fy = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, power = 0.0, near = 0.0, far = 0.0;
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;  // steps
+  double power = 0.0, near = 0.0, far = 0.0;
   int count = 0;
 };
 
 Cell cell_from(const Sums& sums, const Spectrum& spectrum, double far_share) {
   const double n = sums.count;
-  const double fx = sums.fx / n, fy = sums.fy / n;
+  const double width = spectrum.extent.width(), height = spectrum.extent.height();
   constexpr double narrowing = 2.0 * std::numbers::pi * std::numbers::pi;
-  return {.fx = fx,
-          .fy = fy,
+  const auto scatter = [n](double squares, double a, double b) {
+    return narrowing * (n * squares - a * b) / (n * n);
+  };
+  return {.fx = sums.x / (n * width),
+          .fy = sums.y / (n * height),
           .power = sums.power / n,
           .leakage = std::max(sums.far - far_share / (1.0 - far_share) * sums.near, 0.0) / n,
           .count = sums.count,
-          .xx = spectrum.window_x + narrowing * (sums.xx / n - fx * fx),
-          .xy = narrowing * (sums.xy / n - fx * fy),
-          .yy = spectrum.window_y + narrowing * (sums.yy / n - fy * fy)};
+          .xx = spectrum.window_x + scatter(sums.xx, sums.x, sums.x) / (width * width),
+          .xy = scatter(sums.xy, sums.x, sums.y) / (width * height),
+          .yy = spectrum.window_y + scatter(sums.yy, sums.y, sums.y) / (height * height)};
 }
 
 }  // namespace
@@ -68,9 +74,9 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
       const double radius = std::sqrt(fx * fx + fy * fy);
       if (radius >= options.reach * 0.5 / extent.pitch) continue;
       const double power = spectrum.power(row, col);
+      const double x = col, y = -i;  // fx, fy in steps; rows run downward
       const Sums alone{
-          fx, fy, fx * fx, fx * fy, fy * fy, power, leakage.near(row, col), leakage.far(row, col),
-          1};
+          x, y, x * x, x * y, y * y, power, leakage.near(row, col), leakage.far(row, col), 1};
       if (radius < inner) {
         append(alone);
         continue;
@@ -78,8 +84,8 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
       Sums& sums = outer[place_of(i, col, fx, fy)];
       // A cell may straddle the edge of the half plane only through f = -f: turn to one side.
       const double side = fy < 0.0 ? -1.0 : 1.0;
-      sums.fx += side * fx;
-      sums.fy += side * fy;
+      sums.x += side * x;
+      sums.y += side * y;
       sums.xx += alone.xx;
       sums.xy += alone.xy;
       sums.yy += alone.yy;

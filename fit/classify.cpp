@@ -45,6 +45,14 @@ Wrinkle<> varied(Wrinkle<> kind, const Variation& by) {
     noise.angle_rad += by.turn_rad;
     noise.period_angle_rad += by.turn_rad;
   }
+  for (auto& noise : kind.woven) {
+    noise.amplitude_mm *= std::exp(by.log_amplitude);
+    for (double* length :
+         {&noise.long_mm, &noise.short_mm, &noise.period_mm, &noise.other_period_mm})
+      *length *= std::exp(by.log_length);
+    for (double* angle : {&noise.angle_rad, &noise.period_angle_rad, &noise.other_period_angle_rad})
+      *angle += by.turn_rad;
+  }
   kind.floor_mm4 += std::exp(by.log_floor);
   return kind;
 }

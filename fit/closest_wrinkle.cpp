@@ -26,11 +26,8 @@ struct Nearest {
   double cost = HUGE_VAL;
 };
 
-/// A repeated function must be seen to come back: lines too faint for a hundredth of the cost are a
-/// plain one's, of another shape.
 double weighed(const Nearest& nearest) {
-  constexpr double price = 1.01;
-  return nearest.cost * std::pow(price, double(nearest.wrinkle.repeated.size()));
+  return weighed(nearest.cost, nearest.wrinkle);
 }
 
 bool nearer(const Nearest& a, const Nearest& b) {
@@ -38,7 +35,7 @@ bool nearer(const Nearest& a, const Nearest& b) {
 }
 
 int functions(const Wrinkle<>& wrinkle) {
-  return int(wrinkle.components.size() + wrinkle.repeated.size());
+  return int(wrinkle.components.size() + wrinkle.repeated.size() + wrinkle.woven.size());
 }
 
 /// The search for the nearest, one noise function after the other.
@@ -94,12 +91,17 @@ class Search {
 
   /// All but one noise function.
   static Wrinkle<> without(Wrinkle<> wrinkle, int which) {
-    const int plain = int(wrinkle.components.size());
-    if (which < plain) {
-      wrinkle.components.erase(wrinkle.components.begin() + which);
-    } else {
-      wrinkle.repeated.erase(wrinkle.repeated.begin() + (which - plain));
-    }
+    const auto erased_from = [&](auto& list) {
+      if (which >= 0 && which < int(list.size())) {
+        list.erase(list.begin() + which);
+        which = -1;
+      } else {
+        which -= int(list.size());
+      }
+    };
+    erased_from(wrinkle.components);
+    erased_from(wrinkle.repeated);
+    erased_from(wrinkle.woven);
     return wrinkle;
   }
 
@@ -131,15 +133,15 @@ class Search {
   }
 
   /// The nearest with one more than those of `beam`, and the nearest that has another number of
-  /// repeated ones: what leads on is not always what is nearest now.
+  /// periods: what leads on is not always what is nearest now.
   std::vector<Nearest> wider(const std::vector<Nearest>& beam, Seed seed) const {
     std::vector<Nearest> next;
     for (const Nearest& one : beam)
       std::ranges::move(with_one_more(one.wrinkle, HUGE_VAL, seed), std::back_inserter(next));
     std::stable_sort(next.begin(), next.end(), nearer);
-    const auto repeated = next.front().wrinkle.repeated.size();
+    const int of_nearest = periods(next.front().wrinkle);
     const auto other = std::find_if(next.begin(), next.end(), [&](const Nearest& one) {
-      return one.wrinkle.repeated.size() != repeated;
+      return periods(one.wrinkle) != of_nearest;
     });
     if (other != next.end()) std::swap(*other, next[1]);
     next.resize(std::min(next.size(), beam_width));

@@ -12,13 +12,15 @@
 namespace hada {
 
 /// What a map can show of a field that is a length, as the bounds of a solver: no kernel thinner
-/// than a tenth of a pixel, no repetition within two of them or further off than half the map.
+/// than a tenth of a pixel or longer than the map, no repetition within two pixels or further off
+/// than half the map.
 template <class F>
 SolverBounds seen_bounds(const F& field, const Extent& extent) {
   auto [low, high] = solver_bounds(field);
   if (field.name == "long_mm" || field.name == "short_mm") {
     low = std::max(low, std::log(0.1 * extent.pitch));
-  } else if (field.name == "period_mm") {
+    high = std::min(high, std::log(std::max(extent.width(), extent.height())));
+  } else if (field.name == "period_mm" || field.name == "other_period_mm") {
     low = std::max(low, std::log(2.0 * extent.pitch));
     high = std::min(high, std::log(0.5 * std::min(extent.width(), extent.height())));
   }
@@ -35,11 +37,18 @@ std::vector<SolverBounds> seen_bounds_of(const M& material, const Extent& extent
   return bounds;
 }
 
-/// `wrinkle` with one more noise function, plain or repeated, that brings its spectrum nearer to
-/// that of `seen` where the others stay as they are: several, the nearest first.
+/// How many periods the noise functions of `wrinkle` come back after.
+int periods(const Wrinkle<>& wrinkle);
+
+/// What a search goes by. A noise function must be seen to come back: lines too faint for a
+/// hundredth of the cost are a plain one's, of another shape.
+double weighed(double cost, const Wrinkle<>& wrinkle);
+
+/// `wrinkle` with one more noise function, plain, repeated or woven, that brings its spectrum
+/// nearer to that of `seen` where the others stay as they are: several, the nearest first.
 ///
-/// Repeated ones begin at the peaks of the cepstrum, with kernels of any size, shape and direction,
-/// as plain ones do: `seed` draws them.
+/// Repeated ones begin at the peaks of the cepstrum, woven ones at pairs of them, with kernels of
+/// any size, shape and direction, as plain ones do: `seed` draws them.
 std::vector<Wrinkle<>> with_further_noise(const Wrinkle<>& wrinkle, const Observation& seen,
                                           Seed seed);
 

@@ -29,8 +29,10 @@ Grid<double> expected_power(const Wrinkle<>& wrinkle, const Grid<double>& overla
                             const Extent& extent) {
   std::vector<GaussianCovariance<>> covariances;
   std::vector<RepeatedCovariance<>> repeated;
+  std::vector<WovenCovariance<>> woven;
   for (const auto& component : wrinkle.components) covariances.push_back(autocovariance(component));
   for (const auto& noise : wrinkle.repeated) repeated.push_back(autocovariance(noise));
+  for (const auto& noise : wrinkle.woven) woven.push_back(autocovariance(noise));
 
   // Lags that differ by the size of the map are one to its ordinates.
   Grid<double> folded(extent.rows, extent.cols);
@@ -42,6 +44,7 @@ Grid<double> expected_power(const Wrinkle<>& wrinkle, const Grid<double>& overla
         double sum = 0.0;
         for (const auto& covariance : covariances) sum += value_at(covariance, dx, dy);
         for (const auto& covariance : repeated) sum += value_at(covariance, dx, dy);
+        for (const auto& covariance : woven) sum += value_at(covariance, dx, dy);
         folded(row, col % extent.cols) += sum * overlap(lag_row, col);
       }
     }
@@ -89,8 +92,7 @@ std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrink
       aliased += 2.0 * std::sqrt(itself * psd(noise, image_fx, cell.fy));
       aliased += 2.0 * std::sqrt(itself * psd(noise, cell.fx, image_fy));
     };
-    for (const auto& component : wrinkle.components) add(component);
-    for (const auto& noise : wrinkle.repeated) add(noise);
+    for_each_noise(wrinkle, add);
     const double most = options.most_correction;
     if (model[i] > faintest && cell.correction < most && cell.correction * most > 1.0 &&
         aliased <= options.most_aliased * model[i] &&

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <ceres/jet.h>
@@ -15,11 +16,27 @@
 
 namespace hada {
 
-/// What a noise function of that autocovariance sends into a cell.
+/// What a noise function of some autocovariance sends into cells, one after the other: those of one
+/// shape see it through one window, which is laid over it once.
 template <class Covariance>
-auto density_in(const Cell& cell, const Covariance& covariance) {
-  return density_of(narrowed(covariance, {cell.xx, cell.xy, cell.yy}))(cell.fx, cell.fy);
-}
+class DensityIn {
+ public:
+  explicit DensityIn(const Covariance& covariance)
+      : covariance_(covariance), density_(density_of(covariance)) {}
+
+  auto operator()(const Cell& cell) {
+    if (cell.xx != window_.xx || cell.xy != window_.xy || cell.yy != window_.yy) {
+      window_ = {cell.xx, cell.xy, cell.yy};
+      density_ = density_of(narrowed(covariance_, window_));
+    }
+    return density_(cell.fx, cell.fy);
+  }
+
+ private:
+  Covariance covariance_;
+  GaussianWindow window_;
+  decltype(density_of(std::declval<Covariance>())) density_;
+};
 
 /// What arrives of the power that all components and the floor send.
 template <class T>
@@ -31,11 +48,10 @@ T received(const Cell& cell, const T& sent) {
 template <class T>
 std::vector<T> densities(const Wrinkle<T>& wrinkle, const std::vector<Cell>& cells) {
   std::vector<T> sums(cells.size(), wrinkle.floor_mm4);
-  const auto add = [&](const auto& covariance) {
-    for (std::size_t i = 0; i < cells.size(); ++i) sums[i] += density_in(cells[i], covariance);
-  };
-  for (const auto& component : wrinkle.components) add(autocovariance(component));
-  for (const auto& noise : wrinkle.repeated) add(autocovariance(noise));
+  for_each_noise(wrinkle, [&](const auto& noise) {
+    DensityIn density(autocovariance(noise));
+    for (std::size_t i = 0; i < cells.size(); ++i) sums[i] += density(cells[i]);
+  });
   for (std::size_t i = 0; i < cells.size(); ++i) sums[i] = received(cells[i], sums[i]);
   return sums;
 }
@@ -109,8 +125,7 @@ class CellResiduals {
     const int size = int(pack(shape).size());
     Sums sums{std::vector<double>(cells_.size(), 0.0), jacobian, size};
     int first = 0;  // of the fields of a part
-    for (const auto& component : shape.components) first += add(component, packed, first, sums);
-    for (const auto& noise : shape.repeated) first += add(noise, packed, first, sums);
+    for_each_noise(shape, [&](const auto& noise) { first += add(noise, packed, first, sums); });
     std::vector<ceres::Jet<double, 1>> point(packed, packed + size);
     point[std::size_t(first)].v[0] = 1.0;
     const auto floor = unpack(shape, point.data()).floor_mm4;
@@ -149,9 +164,9 @@ class CellResiduals {
   template <template <class> class Part>
   int add(const Part<double>& part, const double* packed, int first, Sums& sums) const {
     constexpr int fields = int(Part<double>::fields().size());
-    const auto covariance = autocovariance(unpack(part, seeded<fields>(packed + first).data()));
+    DensityIn density_in(autocovariance(unpack(part, seeded<fields>(packed + first).data())));
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const auto density = density_in(cells_[i], covariance);
+      const auto density = density_in(cells_[i]);
       sums.sent[i] += density.a;
       double* const row = sums.jacobian + std::ptrdiff_t(i) * sums.size;
       for (int k = 0; k < fields; ++k) row[first + k] = density.v[k];

@@ -185,6 +185,7 @@ double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
 Wrinkle<> canonical(Wrinkle<> wrinkle) {
   put_in_order(wrinkle.components);
   put_in_order(wrinkle.repeated);
+  put_in_order(wrinkle.woven);
   return wrapped(wrinkle);
 }
 

@@ -148,11 +148,11 @@ class Layer {
 /// How loud white noise must be heard again n periods away, n = 0, 1, ..., until that is a hundred
 /// thousandth: at a distance of n periods the sum then resembles itself by exp(-n^2 / (2
 /// repeats^2)). The coefficients of the series of the root of the spectrum's comb.
-std::vector<double> echoes(const RepeatedNoise<>& noise) {
+std::vector<double> echoes(double repeats) {
   constexpr double faintest = 1e-5;
-  const double width = density_of(autocovariance(noise)).width;
+  const double width = 0.5 / (std::numbers::pi * repeats);
   // exp(-n^2 / repeats^2) for many repeats; the root is less smooth where its lines flow together.
-  const int last = int(std::ceil(4.0 * noise.repeats)) + 6;
+  const int last = int(std::ceil(4.0 * repeats)) + 6;
   const int phases = 16 * last;  // of a periodic function: the mean of them is the integral
   std::vector<double> roots;
   for (int k = 0; k < phases; ++k) roots.push_back(std::sqrt(comb(double(k) / phases, width)));
@@ -169,21 +169,23 @@ std::vector<double> echoes(const RepeatedNoise<>& noise) {
 
 void check_effort(const Wrinkle<>& wrinkle, const Extent& window) {
   constexpr double most = 1e10;  // pixels in all passes: some minutes
-  for (const auto& noise : wrinkle.repeated) {
-    const auto last = echoes(noise).size() - 1;
-    if ((2.0 * double(last) + 1.0) * window.rows * window.cols > most) {
-      throw Error("synthesis: a window of so many pixels, and noise that comes back " +
-                  std::to_string(last) +
-                  " times each way, take too long; ask for a smaller window, or for a surface that "
-                  "tiles");
+  const auto check = [&](double places) {
+    if (places * window.rows * window.cols > most) {
+      throw Error("synthesis: a window of so many pixels, and noise that comes back at " +
+                  std::to_string(std::int64_t(places)) +
+                  " places, take too long; ask for a smaller window, or for a surface that tiles");
     }
-  }
+  };
+  const auto places = [](double repeats) { return 2.0 * double(echoes(repeats).size()) - 1.0; };
+  for (const auto& noise : wrinkle.repeated) check(places(noise.repeats));
+  for (const auto& noise : wrinkle.woven)
+    check(places(noise.repeats) * places(noise.other_repeats));
 }
 
 void add_repeated(Grid<float>& field, const RepeatedNoise<>& noise, std::uint64_t key,
                   const Extent& window, const std::array<double, 2>& middle) {
   const auto covariance = autocovariance(noise);
-  const auto loudness = echoes(noise);
+  const auto loudness = echoes(noise.repeats);
   const int last = int(loudness.size()) - 1;
   WrinkleComponent<> kernel = kernel_of(noise);
   for (int n = -last; n <= last; ++n) {
@@ -191,6 +193,24 @@ void add_repeated(Grid<float>& field, const RepeatedNoise<>& noise, std::uint64_
         std::sqrt(covariance.kernel.variance) * loudness[std::size_t(std::abs(n))];
     Layer(kernel, key)
         .add_to(field, window, {middle[0] - n * covariance.x, middle[1] - n * covariance.y});
+  }
+}
+
+void add_woven(Grid<float>& field, const WovenNoise<>& noise, std::uint64_t key,
+               const Extent& window, const std::array<double, 2>& middle) {
+  const auto covariance = autocovariance(noise);
+  const auto loudness = echoes(noise.repeats), other = echoes(noise.other_repeats);
+  const int last = int(loudness.size()) - 1, other_last = int(other.size()) - 1;
+  WrinkleComponent<> kernel{noise.amplitude_mm, noise.long_mm, noise.short_mm, noise.angle_rad};
+  const double amplitude = std::sqrt(covariance.kernel.variance);
+  for (int m = -other_last; m <= other_last; ++m) {
+    for (int n = -last; n <= last; ++n) {
+      kernel.amplitude_mm =
+          amplitude * loudness[std::size_t(std::abs(n))] * other[std::size_t(std::abs(m))];
+      const Step<> away{n * covariance.p.x + m * covariance.q.x,
+                        n * covariance.p.y + m * covariance.q.y};
+      Layer(kernel, key).add_to(field, window, {middle[0] - away.x, middle[1] - away.y});
+    }
   }
 }
 
@@ -223,6 +243,8 @@ Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
     Layer(component, mixed(seed, ++layer)).add_to(field, wider, middle);
   for (const auto& noise : wrinkle.repeated)
     add_repeated(field, noise, mixed(seed, ++layer), wider, middle);
+  for (const auto& noise : wrinkle.woven)
+    add_woven(field, noise, mixed(seed, ++layer), wider, middle);
   if (has_ridges(wrinkle)) {
     field = crop(with_layers(std::move(field), wrinkle, window.pitch, false), margin, margin,
                  window.rows, window.cols);

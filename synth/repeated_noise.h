@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -132,7 +133,8 @@ T comb(const T& phase, const T& width) {
   // Plain numbers and their first derivatives, which is all that a dual number wants of them.
   const double w = value_of(width), nearest = std::round(value_of(phase));
   double sum = 0.0, by_phase = 0.0, by_width = 0.0;
-  for (int n = -3; n <= 3; ++n) {
+  const int last = std::min(int(9.0 * w + 0.5), 3);  // e^-40 is less than rounding
+  for (int n = -last; n <= last; ++n) {
     const double at = (value_of(phase) - nearest - n) / w;
     const double one = std::exp(-0.5 * at * at);
     sum += one;

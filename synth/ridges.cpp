@@ -112,6 +112,7 @@ double mean_curvature(const Wrinkle<>& wrinkle) {
   for (const auto& component : wrinkle.components)
     add(component.amplitude_mm, autocovariance(component));
   for (const auto& noise : wrinkle.repeated) add(noise.amplitude_mm, autocovariance(noise).kernel);
+  for (const auto& noise : wrinkle.woven) add(noise.amplitude_mm, autocovariance(noise).kernel);
   return std::sqrt(sum);
 }
 

@@ -27,6 +27,22 @@ SlopeCovariance all_slopes(const RepeatedCovariance<>& covariance) {
   return sum;
 }
 
+SlopeCovariance all_slopes(const WovenCovariance<>& covariance) {
+  const auto& [kernel, p, q, nn, nm, mm] = covariance;
+  SlopeCovariance sum;
+  for_each_crossing(nn + inner(kernel, p, p), nm + inner(kernel, p, q), mm + inner(kernel, q, q),
+                    0.0, 0.0, 0.0, [&](double n, double m, double weight) {
+                      const double x = n * p.x + m * q.x, y = n * p.y + m * q.y;
+                      const double across = kernel.xx * x + kernel.xy * y;
+                      const double up = kernel.xy * x + kernel.yy * y;
+                      const double value = kernel.variance * weight;
+                      sum.xx += value * (2.0 * kernel.xx - 4.0 * across * across);
+                      sum.xy += value * (2.0 * kernel.xy - 4.0 * across * up);
+                      sum.yy += value * (2.0 * kernel.yy - 4.0 * up * up);
+                    });
+  return sum;
+}
+
 template <class Covariance>
 void add_unresolved(const Covariance& covariance, double pitch, SlopeCovariance& left) {
   const auto at = [&](int cols, int rows) {
@@ -43,9 +59,8 @@ void add_unresolved(const Covariance& covariance, double pitch, SlopeCovariance&
 
 SlopeCovariance unresolved_slopes(const Wrinkle<>& wrinkle, double pitch) {
   SlopeCovariance left;
-  for (const auto& component : wrinkle.components)
-    add_unresolved(autocovariance(component), pitch, left);
-  for (const auto& noise : wrinkle.repeated) add_unresolved(autocovariance(noise), pitch, left);
+  for_each_noise(wrinkle,
+                 [&](const auto& noise) { add_unresolved(autocovariance(noise), pitch, left); });
   return left;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "core/field.h"
 #include "synth/noise_function.h"
 #include "synth/repeated_noise.h"
+#include "synth/woven_noise.h"
 
 namespace hada {
 
@@ -18,7 +20,8 @@ namespace hada {
 /// h(x) = sum_k a_k (G_k * w_k)(x), w_k white Gaussian noise, G_k a Gaussian ellipse of unit
 /// L2 norm. Source: Kiso, Mao, Toyoura, section 3 (kernel as restored in docs/methods.md).
 /// `skew`, `tail` and `sharpness` lay ridges over it (synth/ridges.h); they hardly touch the
-/// spectrum. `repeated` are noise functions that come back, as those of cloth do.
+/// spectrum. `repeated` are noise functions that come back, as those of cloth do, `woven` those
+/// that come back two ways.
 template <class T = double>
 struct Wrinkle {
   static constexpr std::string_view name = "wrinkle";
@@ -31,11 +34,13 @@ struct Wrinkle {
   T tail{0.0};
   T sharpness{0.0};
   std::vector<RepeatedNoise<T>> repeated = {};
+  std::vector<WovenNoise<T>> woven = {};
 
   static constexpr auto parts() {
     return std::tuple{
         PartList<Wrinkle, WrinkleComponent<T>>{"components", &Wrinkle::components, 1, 8},
-        PartList<Wrinkle, RepeatedNoise<T>>{"repeated", &Wrinkle::repeated, 0, 8, true}};
+        PartList<Wrinkle, RepeatedNoise<T>>{"repeated", &Wrinkle::repeated, 0, 8, true},
+        PartList<Wrinkle, WovenNoise<T>>{"woven", &Wrinkle::woven, 0, 8, true}};
   }
   static constexpr auto fields() {
     using F = Field<Wrinkle, T>;
@@ -52,13 +57,20 @@ struct Wrinkle {
   }
 };
 
+/// Calls visit(noise) for every noise function: plain ones, those that come back, woven ones.
+template <class T, class Visit>
+void for_each_noise(const Wrinkle<T>& wrinkle, const Visit& visit) {
+  for (const auto& noise : wrinkle.components) visit(noise);
+  for (const auto& noise : wrinkle.repeated) visit(noise);
+  for (const auto& noise : wrinkle.woven) visit(noise);
+}
+
 /// Of the height, without the floor.
 template <class T>
 T variance_of(const Wrinkle<T>& wrinkle) {
   T sum(0.0);
-  for (const auto& component : wrinkle.components)
-    sum += component.amplitude_mm * component.amplitude_mm;
-  for (const auto& noise : wrinkle.repeated) sum += noise.amplitude_mm * noise.amplitude_mm;
+  for_each_noise(wrinkle,
+                 [&](const auto& noise) { sum += noise.amplitude_mm * noise.amplitude_mm; });
   return sum;
 }
 
@@ -66,16 +78,21 @@ T variance_of(const Wrinkle<T>& wrinkle) {
 template <class T>
 T psd(const Wrinkle<T>& wrinkle, double fx, double fy, const GaussianWindow& window = {}) {
   T sum = wrinkle.floor_mm4;
-  for (const auto& component : wrinkle.components) sum += psd(component, fx, fy, window);
-  for (const auto& noise : wrinkle.repeated) sum += psd(noise, fx, fy, window);
+  for_each_noise(wrinkle, [&](const auto& noise) { sum += psd(noise, fx, fy, window); });
   return sum;
 }
 
 /// The window of a tile, which has waves of whole numbers only: lines thinner than a step between
 /// them would be met or missed by luck. Half a step wide they keep their power to 2 %, 2
-/// exp(-pi^2 / 2). A sheet without repeated noise needs none: its spectrum is smooth.
+/// exp(-pi^2 / 2). Plain noise functions that are short beside the tile need none: their spectrum
+/// is smooth.
 inline GaussianWindow window_of_tile(const Wrinkle<>& wrinkle, const Extent& tile) {
-  if (wrinkle.repeated.empty()) return {};
+  constexpr double short_share = 1.0 / 6.0;  // 0.7 steps wide: whole numbers see it to 1e-4
+  double longest = 0.0;
+  for (const auto& component : wrinkle.components)
+    longest = std::max({longest, component.long_mm, component.short_mm});
+  const bool smooth = longest <= short_share * std::min(tile.width(), tile.height());
+  if (smooth && wrinkle.repeated.empty() && wrinkle.woven.empty()) return {};
   constexpr double half = 0.5 * std::numbers::pi * std::numbers::pi;  // 2 pi^2 (1 / 2)^2
   return {half / (tile.width() * tile.width()), 0.0, half / (tile.height() * tile.height())};
 }
@@ -84,16 +101,21 @@ inline GaussianWindow window_of_tile(const Wrinkle<>& wrinkle, const Extent& til
 inline auto spectrum_of(const Wrinkle<>& wrinkle, const GaussianWindow& window = {}) {
   std::vector<GaussianDensity<>> densities;
   std::vector<RepeatedDensity<>> repeated;
+  std::vector<WovenDensity<>> woven;
   for (const auto& component : wrinkle.components)
     densities.push_back(density_of(narrowed(autocovariance(component), window)));
   for (const auto& noise : wrinkle.repeated)
     repeated.push_back(density_of(narrowed(autocovariance(noise), window)));
-  return [densities, repeated, floor = wrinkle.floor_mm4](double fx, double fy) {
+  for (const auto& noise : wrinkle.woven)
+    woven.push_back(density_of(narrowed(autocovariance(noise), window)));
+  return [densities, repeated, woven, floor = wrinkle.floor_mm4](double fx, double fy) {
     constexpr double nothing = 100.0;  // e^-100 is less than rounding, and slow to compute
     double sum = floor;
     for (const auto& density : densities)
       if (density.exponent(fx, fy) < nothing) sum += density(fx, fy);
     for (const auto& density : repeated)
+      if (density.kernel.exponent(fx, fy) < nothing) sum += density(fx, fy);
+    for (const auto& density : woven)
       if (density.kernel.exponent(fx, fy) < nothing) sum += density(fx, fy);
     return sum;
   };

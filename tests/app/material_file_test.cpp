@@ -49,6 +49,12 @@ TEST(MaterialFile, NamesWhatComesBackOnlyWhereThereIsSome) {
   EXPECT_EQ(values_of(read.material), values_of(file.material));
   EXPECT_EQ(values_of(*read.sigma), values_of(*file.sigma));
   EXPECT_EQ(std::get<Wrinkle<>>(read.material).repeated.front().period_mm, 1.5);
+  wrinkle.woven = {{.other_period_mm = 2.5}};
+  std::get<Wrinkle<>>(*file.sigma).woven = {{}};
+  EXPECT_EQ(std::get<Wrinkle<>>(material_of(material_text(file), "m.json").material)
+                .woven.front()
+                .other_period_mm,
+            2.5);
 }
 
 TEST(MaterialFile, IsPaintedOnlyWhereAPictureWasFitted) {

@@ -33,7 +33,8 @@ std::pair<double, double> distance_db(const Wrinkle<>& wrinkle) {
 
 TEST(ClosestWrinkle, ComesNearASpectrumThatIsNoWrinkles) {
   const auto fit = fit_wrinkle(cut_picture(fractal_psd, 3));
-  EXPECT_GE(fit.material.components.size() + fit.material.repeated.size(), 3u);
+  const Wrinkle<>& found = fit.material;
+  EXPECT_GE(found.components.size() + found.repeated.size() + found.woven.size(), 3u);
   const auto [bias, rms] = distance_db(fit.material);
   // Five Gaussian curves over two decades are one for each factor of 2.5: a sum of such, fitted to
   // a power law of this slope, undulates by 0.5 dB. Twice that, since the data are one realisation.

@@ -49,13 +49,45 @@ TEST(FurtherNoise, BeginsWithWhatDoesNotComeBack) {
   for (const auto& found : with_further_noise(nothing, seen_of(ribs()), 1)) {
     EXPECT_EQ(found.components.size(), 1u);
     EXPECT_TRUE(found.repeated.empty());
+    EXPECT_TRUE(found.woven.empty());
   }
+}
+
+TEST(FurtherNoise, FindsWhatComesBackTwoWays) {
+  auto cloth = ribs();
+  cloth.repeated.clear();
+  const auto before = cloth;
+  cloth.woven = {{.amplitude_mm = 0.1,
+                  .long_mm = 0.15,
+                  .short_mm = 0.1,
+                  .angle_rad = 0.5,
+                  .period_mm = 0.9,
+                  .period_angle_rad = 1.2,
+                  .repeats = 3.0,
+                  .other_period_mm = 0.7,
+                  .other_period_angle_rad = 2.5,
+                  .other_repeats = 2.0}};
+  const auto found = with_further_noise(before, seen_of(cloth), 1);
+  ASSERT_FALSE(found.empty());
+  ASSERT_EQ(found.front().woven.size(), 1u);
+  // Any two steps of a lattice make it: what is told is the area between them, to some percent.
+  const auto covariance = autocovariance(found.front().woven.front());
+  const auto &p = covariance.p, &q = covariance.q;
+  EXPECT_NEAR(std::abs(p.x * q.y - p.y * q.x), 0.9 * 0.7 * std::sin(1.3), 0.06);
+}
+
+TEST(FurtherNoise, WeighsEveryPeriod) {
+  auto wrinkle = ribs();
+  EXPECT_DOUBLE_EQ(weighed(100.0, wrinkle), 101.0);
+  wrinkle.woven.resize(1);
+  EXPECT_EQ(periods(wrinkle), 3);
 }
 
 TEST(FurtherNoise, BoundsWhatAMapCannotShow) {
   const auto bounds = seen_bounds_of(RepeatedNoise<>{}, {100, 200, 0.5, Unit::mm});
   ASSERT_EQ(bounds.size(), RepeatedNoise<>::fields().size());
   EXPECT_DOUBLE_EQ(std::exp(bounds[1].low), 0.05);
+  EXPECT_DOUBLE_EQ(std::exp(bounds[1].high), 100.0);
   EXPECT_DOUBLE_EQ(std::exp(bounds[4].low), 1.0);
   EXPECT_DOUBLE_EQ(std::exp(bounds[4].high), 25.0);
   EXPECT_EQ(bounds[0].low, solver_bounds(RepeatedNoise<>::fields()[0]).low);

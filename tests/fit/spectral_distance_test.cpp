@@ -14,6 +14,7 @@ Wrinkle<> weave() {
   Wrinkle<> wrinkle;
   wrinkle.components = {{.amplitude_mm = 0.2, .long_mm = 0.3, .short_mm = 0.2, .angle_rad = 0.4}};
   wrinkle.repeated = {RepeatedNoise<>{}};
+  wrinkle.woven = {WovenNoise<>{}};
   wrinkle.floor_mm4 = 1e-5;
   return wrinkle;
 }

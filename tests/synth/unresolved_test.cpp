@@ -50,6 +50,13 @@ TEST(Unresolved, KnowsWhatComesBack) {
                     .period_mm = 0.5,
                     .period_angle_rad = 1.0,
                     .repeats = 1.2}};
+  ribs.woven = {{.amplitude_mm = 0.05,
+                 .long_mm = 0.3,
+                 .short_mm = 0.2,
+                 .period_mm = 0.7,
+                 .repeats = 1.5,
+                 .other_period_mm = 0.6,
+                 .other_period_angle_rad = 1.2}};
   const auto height = synthesize(ribs, {.rows = 1024, .cols = 1024, .pitch = 0.02}, 5).height;
   const auto fine = slopes_of(height, 1, 0.02), coarse = slopes_of(height, 12, 0.02);
   const auto left = unresolved_slopes(ribs, 0.24), tiny = unresolved_slopes(ribs, 0.02);

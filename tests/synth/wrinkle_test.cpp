@@ -79,5 +79,19 @@ TEST(Wrinkle, KeepsThePowerOfThinLinesOnATile) {
   }
 }
 
+TEST(Wrinkle, KeepsThePowerOfStripesAsLongAsTheTile) {
+  const Extent tile{100, 100, 0.2, Unit::mm};
+  for (const double length : {2.0, 3.3, 3.4, 8.0, 100.0}) {
+    const Wrinkle<> stripes{.components = {{0.3, length, 0.4, 0.0}}};
+    const auto spectrum = spectrum_of(stripes, window_of_tile(stripes, tile));
+    double sum = 0.0;
+    for (int i = -50; i < 50; ++i) {
+      for (int j = -50; j < 50; ++j) sum += spectrum(j / 20.0, i / 20.0);
+    }
+    // As above; without a window the longest would have 28 times their power.
+    EXPECT_NEAR(sum / 400.0 / 0.09, 1.0, 0.015) << length;
+  }
+}
+
 }  // namespace
 }  // namespace hada
