@@ -17,6 +17,21 @@
 namespace hada {
 namespace {
 
+// The ends of +-1.96 sigma hold 95 % where the fit has no interval of its own.
+Material lower_or_upper(const MaterialFile& fitted, double sigmas) {
+  const std::vector<double> sigma = values_of(*fitted.sigma);
+  Material ends = fitted.material;
+  std::size_t next = 0;
+  const auto set = [&](const std::string& path, const auto&, double& value) {
+    value += sigmas * sigma[next++];
+    for (const auto& interval : fitted.intervals) {
+      if (interval.path == path) value = sigmas < 0.0 ? interval.low : interval.high;
+    }
+  };
+  std::visit([&](auto& m) { visit_fields(m, set); }, ends);
+  return ends;
+}
+
 SeedAccuracy one_seed(Recipe recipe, Seed seed) {
   recipe.sheet_seed = seed;
   recipe.rig.seed = seed;
@@ -44,6 +59,8 @@ SeedAccuracy one_seed(Recipe recipe, Seed seed) {
   const std::vector<int> order = part_order(fitted.material, recipe.material);
   accuracy.found = values_of(reordered(fitted.material, order));
   accuracy.sigma = values_of(reordered(*fitted.sigma, order));
+  accuracy.low = values_of(reordered(lower_or_upper(fitted, -1.96), order));
+  accuracy.high = values_of(reordered(lower_or_upper(fitted, 1.96), order));
   return accuracy;
 }
 
@@ -75,7 +92,10 @@ std::vector<ParameterAccuracy> parameters_over(const std::vector<SeedAccuracy>& 
       sigmas.push_back(seed.sigma[i]);
       const double count = double(seeds.size());
       p.within_90 += std::abs(error) <= 1.6449 * seed.sigma[i] ? 1.0 / count : 0.0;
-      p.within_95 += std::abs(error) <= 1.9600 * seed.sigma[i] ? 1.0 / count : 0.0;
+      const double middle = 0.5 * (seed.low[i] + seed.high[i]);
+      const bool holds =
+          std::abs(difference(field.scale, middle, value)) <= 0.5 * (seed.high[i] - seed.low[i]);
+      p.within_95 += holds ? 1.0 / count : 0.0;
     }
     p.median = median(found);
     p.median_error = median(errors);

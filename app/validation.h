@@ -28,6 +28,7 @@ struct SeedAccuracy {
   double height_percent = 0.0;  // root mean square error over the standard deviation
   std::vector<double> found;    // parameters, in the order of the field table
   std::vector<double> sigma;
+  std::vector<double> low, high;  // ends of the 95 % intervals
 };
 
 struct Validation {

@@ -111,6 +111,7 @@ Observation observe(const Surface& surface, double lens_blur_px) {
     seen.remarks.push_back("The pitch is unknown: lengths and amplitudes count pixels, not mm.");
   }
   const Leakage leaked = leakage(seen.spectrum);
+  seen.levelling = surface.levelling;
   const double hole = steps_emptied_by(surface.levelling);
   const double reach = losses.reach();
   seen.full = cells_of(

@@ -17,6 +17,7 @@ struct Observation {
   std::vector<Cell> full;    // to the Nyquist frequency
   std::vector<Cell> whole;   // the same without those that hold much leakage; of pictures alone
   std::vector<Cell> square;  // to the corners, where fx and fy are both Nyquist's
+  std::string levelling = "offset";  // of the heights, as `Surface` tells it
   std::vector<std::string> remarks;
 };
 

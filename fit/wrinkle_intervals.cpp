@@ -14,8 +14,9 @@
 namespace hada {
 namespace {
 
-// The ends of +-1.96 sigma and of its exponential differ by a quarter of it.
-constexpr double asymmetric = 0.2;    // sigma of a logarithm
+// The ends of +-1.96 sigma and of its exponential differ by a twelfth of it, and what is long
+// beside its map is known the less the longer it is.
+constexpr double asymmetric = 0.08;   // sigma of a logarithm
 constexpr double apart = 3.0;         // deviations between axes that are surely two
 constexpr double faint_floor = 1e-3;  // share of the lowest density, where nothing is seen of it
 constexpr double quarter_turn = 0.5 * std::numbers::pi;  // an angle may be anything
@@ -29,6 +30,16 @@ bool is_round(const Fit<Wrinkle<>>& fit, int component) {
   const auto& covariance = fit.covariance;
   const double variance = covariance(l, l) + covariance(s, s) - 2.0 * covariance(l, s);
   return std::log(one.long_mm / one.short_mm) < apart * std::sqrt(std::max(variance, 0.0));
+}
+
+/// Those that did not end on a bound.
+std::vector<bool> known_fields(const Fit<Wrinkle<>>& fit) {
+  std::vector<bool> known;
+  visit_fields(fit.material, [&](const std::string& path, const auto&, double) {
+    known.push_back(std::find(fit.on_bound.begin(), fit.on_bound.end(), path) ==
+                    fit.on_bound.end());
+  });
+  return known;
 }
 
 /// While one axis is held, the other keeps to its side of it.
@@ -65,11 +76,16 @@ ResidualFunction residuals_on(std::vector<Cell> cells, const Wrinkle<>& shape, d
 
 std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
                                                  const std::vector<Cell>& cells,
-                                                 const Spectrum& spectrum) {
+                                                 const Spectrum& spectrum, const SlowWaves& slow) {
   Grid<double> overlap;  // found when it is needed
   const auto best = pack(fit.material);
   const auto plain_bounds = solver_bounds_of(fit.material);
   const int floor = per_component * int(fit.material.components.size());  // no repeated noise here
+
+  // The deviance of ordinates that know of each other rises faster than what they know.
+  const auto jacobian = jacobian_of(fit.material, int(cells.size()),
+                                    whitened_logarithms(cells, spectrum.independence));
+  const Eigen::MatrixXd unaware = covariance_of(jacobian.transpose() * jacobian, known_fields(fit));
 
   std::vector<FieldInterval> intervals;
   int index = -1;
@@ -101,14 +117,17 @@ std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
     const ResidualsWhileHeld residuals = [&](double held) {
       auto there = packed;
       there[std::size_t(index)] = held;
-      return residuals_on(index == floor ? cells
-                                         : corrected(cells, unpack(fit.material, there.data()),
-                                                     overlap, spectrum.extent),
-                          fit.material, spectrum.independence);
+      if (index == floor) return residuals_on(cells, fit.material, spectrum.independence);
+      const auto held_there = unpack(fit.material, there.data());
+      return residuals_on(
+          slow.levelled(corrected(cells, held_there, overlap, spectrum.extent), held_there),
+          fit.material, spectrum.independence);
     };
-    const auto [low, high] =
-        profile_interval(packed, index, step, round ? rise_of_two : rise_of_one, bounds,
-                         int(cells.size()), residuals, keeping_order(part, index));
+    const double shared =
+        unaware(index, index) > 0.0 ? fit.covariance(index, index) / unaware(index, index) : 1.0;
+    const double rise = shared * (round ? rise_of_two : rise_of_one);
+    const auto [low, high] = profile_interval(packed, index, step, rise, bounds, int(cells.size()),
+                                              residuals, keeping_order(part, index));
     if (part == angle) {
       intervals.push_back({path, low, high});
     } else {

@@ -4,6 +4,7 @@
 
 #include "fit/cells.h"
 #include "fit/fit.h"
+#include "fit/slow_waves.h"
 #include "measure/spectrum.h"
 #include "synth/wrinkle.h"
 
@@ -12,13 +13,14 @@ namespace hada {
 /// The 95 % intervals, by profile likelihood, of the fields of `fit` that lie near a bound, where
 /// +-1.96 sigma would not hold them.
 ///
-/// Near its bound is what is not known to a fifth of its value (an amplitude, a length or a floor
+/// Near its bound is what is not known to a twelfth of its value (an amplitude, a length or a floor
 /// ends at 0), what ended on the bound, and both axes and the angle of a component whose axes
 /// cannot be told apart: long >= short.
 ///
 /// cells  that `fit` was refined on, of `spectrum`
+/// slow   of that spectrum
 std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
                                                  const std::vector<Cell>& cells,
-                                                 const Spectrum& spectrum);
+                                                 const Spectrum& spectrum, const SlowWaves& slow);
 
 }  // namespace hada

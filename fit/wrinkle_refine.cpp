@@ -44,7 +44,7 @@ int spectral_fields(const Wrinkle<>& wrinkle) {
   return int(pack(wrinkle).size()) - ridge_fields;
 }
 
-std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
+std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen, const SlowWaves& slow) {
   const double kappa = seen.spectrum.independence;
   const Extent& extent = seen.spectrum.extent;
   const auto overlap = taper_overlap(seen.spectrum.taper);
@@ -53,7 +53,8 @@ std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
   auto cells = seen.fine;
   for (int k = 0; k < most_corrections; ++k) {
     auto better_cells =
-        trusted(corrected(seen.full, fit.material, overlap, extent), fit.material, extent.pitch);
+        trusted(slow.levelled(corrected(seen.full, fit.material, overlap, extent), fit.material),
+                fit.material, extent.pitch);
     if (int(better_cells.size()) < fewest_per_field * fields) break;
     const auto better =
         solve(std::vector{fit.material}, int(better_cells.size()), deviances(better_cells, kappa),
@@ -76,7 +77,7 @@ std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen) {
 
   const auto jacobian =
       jacobian_of(fit.material, int(cells.size()), whitened_logarithms(cells, kappa));
-  set_uncertainty(fit, jacobian.transpose() * jacobian);
+  set_uncertainty(fit, slow.information(cells, fit.material, jacobian, kappa));
   fit.goodness_p = goodness_of_fit(cells, densities(fit.material, cells), kappa, fields);
   return cells;
 }
@@ -91,12 +92,13 @@ bool all_told(const Fit<Wrinkle<>>& fit) {
 
 Fit<Wrinkle<>> refined_and_told(Fit<Wrinkle<>> best, std::vector<Fit<Wrinkle<>>> fewer,
                                 const Observation& seen) {
-  auto cells = refine(best, seen);
+  const SlowWaves slow(seen.spectrum, seen.levelling);
+  auto cells = refine(best, seen, slow);
   for (; !all_told(best) && !fewer.empty(); fewer.pop_back()) {
     best = std::move(fewer.back());
-    cells = refine(best, seen);
+    cells = refine(best, seen, slow);
   }
-  best.intervals = intervals_near_bounds(best, cells, seen.spectrum);
+  best.intervals = intervals_near_bounds(best, cells, seen.spectrum, slow);
   return best;
 }
 

@@ -4,6 +4,7 @@
 
 #include "fit/fit.h"
 #include "fit/observe.h"
+#include "fit/slow_waves.h"
 #include "synth/wrinkle.h"
 
 namespace hada {
@@ -15,8 +16,10 @@ constexpr int ridge_fields = 3;
 int spectral_fields(const Wrinkle<>& wrinkle);
 
 /// `fit` moved to where the whole spectrum and the exact window want it, and its uncertainty.
+///
+/// slow     of the spectrum and the levelling that were observed
 /// returns  the cells that it was refined on
-std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen);
+std::vector<Cell> refine(Fit<Wrinkle<>>& fit, const Observation& seen, const SlowWaves& slow);
 
 /// Whether every component is known to be there: its amplitude is above its sigma.
 bool all_told(const Fit<Wrinkle<>>& fit);

@@ -35,7 +35,7 @@ TEST(WrinkleRefine, TakesBackWhatTheSpectrumDoesNotTell) {
   two.material.components[0].amplitude_mm = 0.4 / std::sqrt(2.0);
   two.material.components.push_back(two.material.components[0]);
   auto refined = two;
-  refine(refined, seen);
+  refine(refined, seen, SlowWaves(seen.spectrum, seen.levelling));
   ASSERT_FALSE(all_told(refined));
   EXPECT_EQ(refined_and_told(two, {one}, seen).material.components.size(), 1u);
   // Where there is nothing smaller to go back to, it stays.
