@@ -21,6 +21,7 @@ struct Candidate {
   Circle circle;
   SphereKind kind = SphereKind::matte;
   double worth = 0.0;
+  bool given = false;  // the circle is the owner's mask
 };
 
 Sphere sphere_of(const Circle& circle, SphereKind kind) {
@@ -96,7 +97,8 @@ std::vector<Circle> circles_in(const Overview& all, const CircleSearch& search) 
 // `views` are the readings of the pictures that are possible: linear, sRGB or either.
 Candidate judged(const Photographs& photographs, const std::vector<Overview>& views,
                  const Circle& circle) {
-  Candidate candidate{circle, SphereKind::matte, 0.0};
+  Candidate candidate;
+  candidate.circle = circle;
   double matte = 0.0;
   for (const Overview& view : views) {
     matte = std::max(matte, matte_likeness(photographs, view, circle));
@@ -135,6 +137,19 @@ std::vector<Candidate> without_overlap(std::vector<Candidate> candidates) {
   return kept;
 }
 
+// A round mask may be the sphere itself, or a round sample beside spheres: it is the sphere where
+// nothing outside it behaves like one.
+std::vector<Candidate> weighed_against_mask(const std::vector<Candidate>& candidates,
+                                            const Candidate& disc) {
+  std::vector<Candidate> beside;
+  for (const Candidate& candidate : candidates) {
+    const double apart = (candidate.circle.center - disc.circle.center).norm();
+    const bool outside = apart > 0.9 * (candidate.circle.radius + disc.circle.radius);
+    if (outside && candidate.worth > 0.0) beside.push_back(candidate);
+  }
+  return beside.empty() ? std::vector<Candidate>{disc} : beside;
+}
+
 bool in_box(const Circle& circle, const BoxPx& box) {
   const double width = box[2] - box[0];
   const double height = box[3] - box[1];
@@ -164,12 +179,12 @@ std::optional<double> known_radius_px(const std::optional<double>& diameter_mm,
 class Selection {
  public:
   Selection(const Photographs& photographs, const Overview& all)
-      : photographs_(photographs), all_(all), from_mask_(disc_of(photographs.mask).has_value()) {}
+      : photographs_(photographs), all_(all) {}
 
   bool add(const Candidate& candidate, const CaptureFile::SphereHint& hint) {
     Circle circle = candidate.circle;
     const SphereKind kind = hint.kind.value_or(candidate.kind);
-    if (kind == SphereKind::chrome && !from_mask_) {
+    if (kind == SphereKind::chrome && !candidate.given) {
       circle = mirror_outline(
           all_, circle, known_radius_px(hint.diameter_mm, photographs_.camera, circle.center));
     }
@@ -197,7 +212,6 @@ class Selection {
  private:
   const Photographs& photographs_;
   const Overview& all_;
-  bool from_mask_;
 };
 
 void add_boxed(Selection& selection, const CaptureFile& file,
@@ -211,6 +225,11 @@ void add_boxed(Selection& selection, const CaptureFile& file,
     const auto best = without_overlap(inside);
     const std::string where = file.folder.string() + ": sphere box " + box_text(*hint.box);
     if (best.empty()) throw Error(where + " holds no sphere; correct the box or leave it out");
+    for (const Sphere& other : selection.found.spheres) {
+      if ((other.center_px - best.front().circle.center).norm() < other.radius_px) {
+        throw Error(where + " holds the same sphere as another box; leave one of them out");
+      }
+    }
     if (!selection.add(best.front(), hint)) {
       throw Error(where + ": " + selection.found.rejected.back());
     }
@@ -226,13 +245,17 @@ FoundSpheres find_spheres(const Photographs& photographs) {
   const Extent& extent = photographs.camera.extent;
   CircleSearch search;
   search.smallest_radius = std::max(6.0, 0.015 * std::min(extent.rows, extent.cols));
-  const auto disc = disc_of(photographs.mask);
-  const auto circles = disc ? std::vector<Circle>{*disc} : circles_in(views.front(), search);
+  const auto circles = circles_in(views.front(), search);
   std::vector<Candidate> candidates(circles.size());
   for_each_index(int(circles.size()), [&](int i) {
     candidates[std::size_t(i)] = judged(photographs, views, circles[std::size_t(i)]);
   });
-  if (disc) candidates.front().circle = *disc;  // the owner's word
+  if (const auto disc = disc_of(photographs.mask)) {
+    Candidate own = judged(photographs, views, *disc);
+    own.circle = *disc;
+    own.given = true;
+    candidates = weighed_against_mask(candidates, own);
+  }
 
   Selection selection(photographs, views.front());
   const auto& hints = photographs.file.spheres;

@@ -61,5 +61,47 @@ TEST(FindSpheres, SaysWhichBoxHoldsNoSphere) {
   }
 }
 
+TEST(FindSpheres, RefusesTwoBoxesAroundOneSphere) {
+  Photographs photographs = table_scene({matte_at(-18.0, 9.0)});
+  CaptureFile::SphereHint hint;
+  hint.box = BoxPx{30, 25, 90, 85};
+  photographs.file.spheres = {hint, hint};
+  try {
+    find_spheres(photographs);
+    FAIL() << "one sphere was counted twice";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("holds the same sphere as another box"),
+              std::string::npos);
+  }
+}
+
+Mask disc_mask(const Extent& extent, const Eigen::Vector2d& center, double radius) {
+  Mask mask(extent.rows, extent.cols, 0);
+  for (int row = 0; row < extent.rows; ++row) {
+    for (int col = 0; col < extent.cols; ++col) {
+      mask(row, col) = (Eigen::Vector2d(col + 0.5, row + 0.5) - center).norm() < radius;
+    }
+  }
+  return mask;
+}
+
+TEST(FindSpheres, LooksBesideARoundMask) {
+  Photographs photographs = table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)});
+  photographs.mask = disc_mask(photographs.camera.extent, {210.0, 100.0}, 50.0);
+  const auto found = find_spheres(photographs);
+  ASSERT_EQ(found.spheres.size(), 2u);
+  EXPECT_LT((found.spheres[1].center_px - Eigen::Vector2d(60.0, 55.0)).norm(), 0.3);
+}
+
+TEST(FindSpheres, BelievesTheMaskOfASphereAlone) {
+  Photographs photographs = table_scene({chrome_at(-18.0, 0.0, 12.0)});
+  photographs.mask = disc_mask(photographs.camera.extent, {60.0, 100.0}, 30.0);
+  const auto found = find_spheres(photographs);
+  ASSERT_EQ(found.spheres.size(), 1u);
+  EXPECT_EQ(found.spheres[0].kind, SphereKind::chrome);
+  EXPECT_LT((found.spheres[0].center_px - Eigen::Vector2d(60.0, 100.0)).norm(), 0.01);
+  EXPECT_NEAR(found.spheres[0].radius_px, 30.0, 0.1);
+}
+
 }  // namespace
 }  // namespace hada
