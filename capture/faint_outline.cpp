@@ -61,15 +61,17 @@ struct Step {
 // Concentric steps that stand out from what lies a little further in and out.
 std::vector<Step> concentric_steps(const Grid<float>& picture, const Eigen::Vector2d& center,
                                    double from, double to, double reach) {
+  constexpr double stride = 0.5;
+  const auto apart = std::ptrdiff_t(std::max(4.0, 0.06 * from / stride));
   std::vector<double> radius, height;
-  for (double r = from; r <= to; r += 0.5) {
+  for (double r = from; r <= to + stride * double(apart); r += stride) {
     const auto steps = steps_across(picture, center, r, reach);
     radius.push_back(r);
     height.push_back(int(steps.size()) < radii / 2 ? 0.0 : median(steps));
   }
   std::vector<Step> found;
-  const auto apart = std::ptrdiff_t(std::max(4.0, 0.06 * from / 0.5));
   for (std::ptrdiff_t i = 1; i + 1 < std::ptrdiff_t(height.size()); ++i) {
+    if (radius[std::size_t(i)] > to) break;
     const auto size = [&](std::ptrdiff_t at) {
       const auto last = std::ptrdiff_t(height.size()) - 1;
       return std::abs(height[std::size_t(std::clamp<std::ptrdiff_t>(at, 0, last))]);
@@ -90,8 +92,10 @@ std::vector<Step> concentric_steps(const Grid<float>& picture, const Eigen::Vect
 std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& start,
                                     std::optional<double> radius_px) {
   const double reach = std::max(1.5, 0.025 * start.radius);
-  double from = radius_px ? 0.97 * *radius_px : 0.9 * start.radius;
-  double to = radius_px ? 1.03 * *radius_px : 1.6 * start.radius;
+  // Wide enough that a peak at a known radius has a flank on either side.
+  const double margin = radius_px ? std::max(0.03 * *radius_px, 1.0) : 0.0;
+  const double from = radius_px ? *radius_px - margin : 0.9 * start.radius;
+  const double to = radius_px ? *radius_px + margin : 1.6 * start.radius;
   // The inner edges need not be concentric with the outline: try centres around the start.
   std::optional<Step> best;
   Eigen::Vector2d center = start.center;

@@ -48,7 +48,12 @@ Circle mirror_outline(const Overview& all, const Circle& circle, std::optional<d
   for (const Grid<float>* picture : {&all.brightest_log, &all.mean_log}) {
     if (const auto outline = faint_outline(*picture, circle, radius_px)) return *outline;
   }
-  return circle;
+  if (!radius_px) return circle;
+  // The circle that was found is an edge inside the mirror, which need not lie in its middle.
+  Circle known = circle;
+  known.radius = *radius_px;
+  known.sigma = std::max(0.5 * std::abs(*radius_px - circle.radius), 0.5);
+  return known;
 }
 
 std::optional<Circle> disc_of(const Mask& mask) {

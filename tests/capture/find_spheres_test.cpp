@@ -1,5 +1,7 @@
 #include "capture/find_spheres.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "capture/sphere_geometry.h"
@@ -72,6 +74,25 @@ TEST(FindSpheres, RefusesTwoBoxesAroundOneSphere) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("holds the same sphere as another box"),
               std::string::npos);
+  }
+}
+
+TEST(FindSpheres, SeesTheOutlineOfASmallMirror) {
+  for (const bool known : {false, true}) {
+    Photographs photographs = table_scene({chrome_at(-18.0, 9.0, 4.0)});
+    CaptureFile::SphereHint hint;
+    hint.kind = SphereKind::chrome;
+    if (known) hint.diameter_mm = 4.0;
+    photographs.file.spheres = {hint};
+    const auto found = find_spheres(photographs);
+    ASSERT_EQ(found.spheres.size(), 1u);
+    const Sphere& sphere = found.spheres[0];
+    if (known) {
+      EXPECT_NEAR(sphere.radius_px, 10.0, 1e-6);
+    } else {
+      EXPECT_LT(std::abs(sphere.radius_px - 10.0), 3.0 * sphere.sigma_px);
+    }
+    EXPECT_LT((sphere.center_px - Eigen::Vector2d(60.0, 55.0)).norm(), 3.0 * sphere.sigma_px);
   }
 }
 
