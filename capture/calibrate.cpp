@@ -10,10 +10,12 @@
 #include "capture/chrome_sphere.h"
 #include "capture/diagnose.h"
 #include "capture/find_spheres.h"
+#include "capture/lit_disc.h"
 #include "capture/matte_sphere.h"
 #include "capture/refine_lights.h"
 #include "capture/tone_curve.h"
 #include "core/error.h"
+#include "core/quantile.h"
 
 namespace hada {
 namespace {
@@ -22,24 +24,22 @@ bool is_seen(const Light& light) {
   return std::isfinite(light.direction_sigma);
 }
 
-// Mean misfit of the matte spheres if the pictures are taken as linear or as sRGB.
-double matte_misfit(const Photographs& photographs, const std::vector<Sphere>& spheres,
-                    bool as_linear) {
+// The misfit of every matte sphere in every picture if they are taken as linear or as sRGB.
+std::vector<double> matte_misfits(const Photographs& photographs,
+                                  const std::vector<Sphere>& spheres, bool as_linear) {
   Photographs read = copy_of(photographs);
   read.linear = as_linear;
   const Photographs linear = linearized(std::move(read));
-  double sum = 0.0;
-  int count = 0;
+  std::vector<double> misfits;
   for (const Sphere& sphere : spheres) {
     if (sphere.kind != SphereKind::matte) continue;
     for (std::size_t k = 0; k < linear.images.size(); ++k) {
-      sum += matte_shading(luminance(linear.images[k]), linear.saturated[k], linear.camera, sphere,
-                           0.95)
-                 .misfit;
-      ++count;
+      const MatteShading shading =
+          matte_shading(luminance(linear.images[k]), linear.saturated[k], linear.camera, sphere);
+      misfits.push_back(shading.misfit);
     }
   }
-  return count > 0 ? sum / count : 0.0;
+  return misfits;
 }
 
 // Settles the encoding on the matte spheres where the files do not.
@@ -50,15 +50,26 @@ void decide_encoding(const Photographs& photographs, const std::vector<Sphere>& 
   const bool has_matte = std::any_of(spheres.begin(), spheres.end(),
                                      [](const Sphere& s) { return s.kind == SphereKind::matte; });
   if (!has_matte || photographs.encoding_known) return;
-  const double linear = matte_misfit(photographs, spheres, true);
-  const double srgb = matte_misfit(photographs, spheres, false);
+  const auto as_linear = matte_misfits(photographs, spheres, true);
+  const auto as_srgb = matte_misfits(photographs, spheres, false);
+  double linear = 0.0;
+  double srgb = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < as_linear.size(); ++i) {
+    // A disc that is not shaded under either reading lies in shadow, and says nothing.
+    if (std::min(as_linear[i], as_srgb[i]) > hopeless_misfit) continue;
+    linear += as_linear[i];
+    srgb += as_srgb[i];
+    count += 1.0;
+  }
+  if (count == 0.0) return;
   calibration.linear = linear <= srgb;
   calibration.encoding_known = true;
   calibration.remarks.push_back(fmt::format(
       "The matte sphere says that the pictures are {} (its shading is off by {:.1f} % that way, "
       "by {:.1f} % the other).",
-      calibration.linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb),
-      100.0 * std::max(linear, srgb)));
+      calibration.linear ? "linear" : "sRGB", 100.0 * std::min(linear, srgb) / count,
+      100.0 * std::max(linear, srgb) / count));
 }
 
 // Whether there is a sphere if the pictures are read the other way.
@@ -66,6 +77,25 @@ bool shows_spheres_otherwise(const Photographs& given) {
   Photographs other = copy_of(given);
   other.linear = !given.linear;
   return !find_spheres(other).spheres.empty();
+}
+
+// As the first matte sphere shows it that sees it, else like the usual light there; 1 if there is
+// none.
+double grey_strength(const std::vector<SphereReading>& readings, std::size_t k) {
+  double usual = 1.0;
+  for (auto reading = readings.rbegin(); reading != readings.rend(); ++reading) {
+    if (reading->sphere.kind != SphereKind::matte) continue;
+    std::vector<double> seen;
+    for (const Light& light : reading->lights) {
+      if (is_seen(light)) seen.push_back(light.strength.mean());
+    }
+    if (!seen.empty()) usual = median(std::move(seen));
+  }
+  for (const SphereReading& reading : readings) {
+    if (reading.sphere.kind != SphereKind::matte || !is_seen(reading.lights[k])) continue;
+    return reading.lights[k].strength.mean();
+  }
+  return usual;
 }
 
 // The direction of one light out of what every sphere says of it, weighted by sigma.
@@ -80,42 +110,50 @@ Light combined(const std::vector<SphereReading>& readings, std::size_t k) {
     direction += weight * seen.direction;
     weight_sum += weight;
   }
-  light.strength.setOnes();
-  for (const SphereReading& reading : readings) {
-    if (reading.sphere.kind != SphereKind::matte || !is_seen(reading.lights[k])) continue;
-    light.strength.setConstant(reading.lights[k].strength.mean());
-    break;
-  }
+  light.strength.setConstant(grey_strength(readings, k));
   light.direction = direction.normalized();
   light.direction_sigma = weight_sum > 0.0 ? std::sqrt(1.0 / weight_sum) : HUGE_VAL;
   return light;
 }
 
-// How a light's colour departs from its grey strength, as the first matte sphere that sees every
-// light shows it: strength of each channel over that of the grey value. All 1 if there is none.
+// The matte sphere that sees the most lights, the first of equals; null if there is none.
+const SphereReading* best_matte(const std::vector<SphereReading>& readings) {
+  const SphereReading* best = nullptr;
+  std::ptrdiff_t most = 0;
+  for (const SphereReading& reading : readings) {
+    if (reading.sphere.kind != SphereKind::matte) continue;
+    const auto seen = std::count_if(reading.lights.begin(), reading.lights.end(), is_seen);
+    if (seen <= most) continue;
+    most = seen;
+    best = &reading;
+  }
+  return best;
+}
+
+// How a light's colour departs from its grey strength, as one matte sphere shows it: strength of
+// each channel over that of the grey value. All 1 if there is none, or where it is in shadow.
 std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
                                      std::size_t count) {
   std::vector<Eigen::Vector3d> colour(count, Eigen::Vector3d::Ones());
-  for (const SphereReading& reading : readings) {
-    if (reading.sphere.kind != SphereKind::matte ||
-        !std::all_of(reading.lights.begin(), reading.lights.end(), is_seen)) {
-      continue;
+  const SphereReading* reading = best_matte(readings);
+  if (!reading) return colour;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double seen = 0.0;
+  for (const Light& light : reading->lights) {
+    if (!is_seen(light)) continue;
+    if (!(light.strength.minCoeff() > 0.0)) {
+      throw Error(light.image +
+                  ": its light lacks a colour altogether; use white lamps, or grey pictures");
     }
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < count; ++k) {
-      colour[k] = reading.lights[k].strength;
-      if (!(colour[k].minCoeff() > 0.0)) {
-        throw Error(reading.lights[k].image +
-                    ": its light lacks a colour altogether; use white lamps, or grey pictures");
-      }
-      mean += colour[k] / double(count);
-    }
-    for (auto& channels : colour) {
-      channels = channels.cwiseQuotient(mean);
-      channels /= Eigen::Vector3d(luminance_weight[0], luminance_weight[1], luminance_weight[2])
-                      .dot(channels);
-    }
-    break;
+    sum += light.strength;
+    seen += 1.0;
+  }
+  const Eigen::Vector3d mean = sum / seen;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!is_seen(reading->lights[k])) continue;
+    const Eigen::Vector3d channels = reading->lights[k].strength.cwiseQuotient(mean);
+    const Eigen::Vector3d weight(luminance_weight[0], luminance_weight[1], luminance_weight[2]);
+    colour[k] = channels / weight.dot(channels);
   }
   return colour;
 }
@@ -153,6 +191,7 @@ Calibration calibrate(const Photographs& given) {
                                        ? read_matte_sphere(linear, sharpened_matte(linear, sphere))
                                        : read_chrome_sphere(linear, sphere));
   }
+  leave_out_shadowed(linear, calibration.readings);
   for (std::size_t k = 0; k < linear.images.size(); ++k) {
     Light light = combined(calibration.readings, k);
     if (!is_seen(light)) {

@@ -7,9 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "capture/matte_sphere.h"
-#include "core/parallel.h"
-#include "core/quantile.h"
+#include "capture/lit_disc.h"
 
 namespace hada {
 namespace {
@@ -137,12 +135,13 @@ double clipped_share(const Mask& saturated, const Sphere& sphere) {
   return count > 0.0 ? clipped / count : 0.0;
 }
 
-// The pictures in which a sphere shows no light at all.
+// The pictures in which a sphere shows no light at all; of a matte one that lies in shadow there.
 void remark_on_unseen(const Photographs& linear, const SphereReading& reading,
-                      std::vector<std::string>& remarks) {
+                      const std::vector<LitDisc>& discs, std::vector<std::string>& remarks) {
   std::vector<std::string> unseen;
   for (std::size_t k = 0; k < reading.lights.size(); ++k) {
-    if (!std::isfinite(reading.lights[k].direction_sigma)) {
+    const bool odd = !discs.empty() && discs[k].light == DiscLight::odd;
+    if (!std::isfinite(reading.lights[k].direction_sigma) && !odd) {
       unseen.push_back(linear.file.pictures[k].name);
     }
   }
@@ -154,41 +153,24 @@ void remark_on_unseen(const Photographs& linear, const SphereReading& reading,
 
 // What single pictures show on a matte sphere, against the others: darkness, shadows, clipping.
 void remark_on_pictures(const Photographs& linear, const SphereReading& reading,
-                        std::vector<std::string>& remarks) {
-  const std::size_t count = linear.images.size();
-  std::vector<double> misfits(count);
-  std::vector<double> strengths(count);
-  for_each_index(int(count), [&](int picture) {
-    const auto k = std::size_t(picture);
-    const MatteShading shading = matte_shading(luminance(linear.images[k]), linear.saturated[k],
-                                               linear.camera, reading.sphere);
-    misfits[k] = shading.misfit;
-    strengths[k] = shading.b.norm();
-  });
-  constexpr double too_dark = 0.1;          // of what most pictures show
-  constexpr double levels = 16.0;           // fewer, and a step of the file is more than 6 %
-  constexpr double odd = 0.3;               // of the contrast unexplained: a shadow, not a texture
-  constexpr double odder_than_usual = 2.5;  // times what is unexplained in most pictures
-  const double step = linear.bits <= 16 ? 1.0 / ((1 << linear.bits) - 1.0) : 0.0;
-  const double dark = std::max(too_dark * median(strengths), levels * step);
-  const double shadowed = std::max(odd, odder_than_usual * median(misfits));
+                        const std::vector<LitDisc>& discs, std::vector<std::string>& remarks) {
   const std::string place = capitalized(place_of(reading.sphere));
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < discs.size(); ++k) {
     const std::string& name = linear.file.pictures[k].name;
-    if (!std::isfinite(reading.lights[k].direction_sigma)) continue;
-    if (strengths[k] < dark) {
+    const bool asked = std::isfinite(reading.lights[k].direction_sigma);
+    if (asked && discs[k].light == DiscLight::weak) {
       remarks.push_back(fmt::format(
           "{} is too dark in {} ({:.1f} % of the range): it lies in shadow, or the lamp is weak; "
           "move it into the light, or expose more.",
-          place, name, 100.0 * strengths[k]));
-    } else if (misfits[k] > shadowed) {
+          place, name, 100.0 * discs[k].strength));
+    } else if (discs[k].light == DiscLight::odd) {
       remarks.push_back(fmt::format(
-          "{} is oddly lit in {} ({:.0f} % of its contrast is unexplained): a shadow lies on it, "
+          "{} is oddly lit in {} ({:.0f} % of its contrast is unexplained{}): a shadow lies on it, "
           "or a second lamp was on; photograph it again or leave the picture out.",
-          place, name, 100.0 * misfits[k]));
+          place, name, 100.0 * discs[k].misfit, asked ? "" : ", so it is not asked there"));
     }
     const double clipped = clipped_share(linear.saturated[k], reading.sphere);
-    if (clipped > notable_share) {
+    if (asked && clipped > notable_share) {
       remarks.push_back(fmt::format("{} is clipped on {:.0f} % of its disc in {}; expose less.",
                                     place, std::ceil(100.0 * clipped), name));
     }
@@ -211,8 +193,10 @@ std::vector<std::string> remarks_on_spheres(const Photographs& linear,
   std::vector<std::string> remarks;
   for (const SphereReading& reading : calibration.readings) {
     remark_on_sphere(reading, remarks);
-    remark_on_unseen(linear, reading, remarks);
-    if (reading.sphere.kind == SphereKind::matte) remark_on_pictures(linear, reading, remarks);
+    std::vector<LitDisc> discs;
+    if (reading.sphere.kind == SphereKind::matte) discs = lit_discs(linear, reading.sphere);
+    remark_on_unseen(linear, reading, discs, remarks);
+    remark_on_pictures(linear, reading, discs, remarks);
   }
   if (calibration.disagreement > 3.0 * degree) {
     remarks.push_back(fmt::format(

@@ -8,6 +8,7 @@
 #include "capture/sample_mask.h"
 #include "capture/sphere_geometry.h"
 #include "capture/thrown_light.h"
+#include "core/error.h"
 #include "core/quantile.h"
 
 namespace hada {
@@ -208,6 +209,20 @@ Mask sheet_mask(const Photographs& linear, const std::vector<Grid<float>>& greys
   return sample_mask(mean, spheres, linear.file.sample_box);
 }
 
+// Without a sample only matte spheres tell strengths: one of them must be lit in every picture.
+void check_strengths(const Photographs& linear, const std::vector<SphereReading>& readings) {
+  for (std::size_t k = 0; k < linear.images.size(); ++k) {
+    const bool told = std::any_of(readings.begin(), readings.end(), [&](const auto& reading) {
+      return reading.sphere.kind == SphereKind::matte &&
+             std::isfinite(reading.lights[k].direction_sigma);
+    });
+    if (told) continue;
+    throw Error(linear.file.pictures[k].file.string() +
+                ": no matte sphere is well lit there, and there is no sample that could tell how "
+                "strong the light is; leave the picture out or light the sphere");
+  }
+}
+
 }  // namespace
 
 Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings) {
@@ -229,6 +244,7 @@ Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& r
     all.sheet = sheet_evidence(linear, greys, mask, count);
   }
   if (has_sample) all.sheet.center = middle_of(mask, linear.camera.extent);
+  if (all.sheet.points.empty() && !all.matte.empty()) check_strengths(linear, readings);
   return all;
 }
 

@@ -46,6 +46,7 @@ struct Evidence {
 
 /// linear    the photographs, with linear values
 /// readings  the spheres, each read by itself
+/// throws    Error if there is no sample, and the matte spheres leave a light's strength open
 Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings);
 
 }  // namespace hada

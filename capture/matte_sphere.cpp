@@ -106,6 +106,8 @@ MatteShading shading_of(const std::vector<DiscPoint>& points) {
   double squares = 0.0;
   for (const DiscPoint& point : points) squares += (point.value - mean) * (point.value - mean);
   const double deviation = std::sqrt(squares / double(points.size()));
+  constexpr double even = 1e-6;
+  if (!(deviation > even * std::abs(mean))) return shading;
   // The start: the mean normal weighted by brightness points roughly at the light.
   for (const DiscPoint& point : points) shading.b += point.value * point.normal;
   shading.b *= 2.0 * mean / std::max(shading.b.norm(), 1e-300);
@@ -120,7 +122,7 @@ MatteShading shading_of(const std::vector<DiscPoint>& points) {
     const double lit = std::max(0.0, point.normal.dot(shading.b));
     misfit += std::pow(point.value - lit - shading.ambient, 2);
   }
-  shading.misfit = std::sqrt(misfit / double(points.size())) / std::max(deviation, 1e-300);
+  shading.misfit = std::sqrt(misfit / double(points.size())) / deviation;
   shading.spread = deviation / std::max(mean, 1e-300);
   if (!shading.b.allFinite() || !std::isfinite(shading.ambient)) return MatteShading{};
   return shading;
@@ -173,8 +175,9 @@ SphereReading read_matte_sphere(const Photographs& linear, const Sphere& sphere)
     light.image = linear.file.pictures[k].name;
     light.direction_sigma = std::numeric_limits<double>::infinity();
     misfits[k] = shading.misfit;
-    constexpr double hopeless = 0.7;  // half of the variance unexplained: this is not shading
-    if (!(shading.b.norm() > 0.0) || shading.b.z() <= 0.0 || shading.misfit > hopeless) return;
+    if (!(shading.b.norm() > 0.0) || shading.b.z() <= 0.0 || shading.misfit > hopeless_misfit) {
+      return;
+    }
     light.direction = shading.b.normalized();
     const double circle = sphere.sigma_px / sphere.radius_px;
     // A shading error that grows evenly across the disc tilts the light by half of the contrast it

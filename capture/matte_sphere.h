@@ -16,10 +16,14 @@ struct MatteShading {
   double spread = 0.0;  // standard deviation of the values over their mean
 };
 
+/// A misfit above this is not shading: half of the variance is unexplained.
+constexpr double hopeless_misfit = 0.7;
+
 /// The shading of a grey picture on the pixels of a sphere, robust against texture and dust.
 ///
 /// Reweighted least squares (Tukey) on the lit side, then Gauss-Newton on the clipped cosine over
-/// the whole disc up to `rim` of its radius. Pixels with `saturated` set are left out.
+/// the whole disc up to `rim` of its radius. Pixels with `saturated` set are left out. A disc that
+/// is even, within a millionth of its brightness, is not shaded: all of a default MatteShading.
 MatteShading matte_shading(const Grid<float>& grey, const Mask& saturated, const Camera& camera,
                            const Sphere& sphere, double rim = 0.95);
 

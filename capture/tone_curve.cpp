@@ -52,14 +52,18 @@ std::vector<std::string> remarks_on_curve(const Photographs& linear,
                                           const Calibration& calibration) {
   constexpr std::size_t most_pictures = 8;  // a curve is the same in all
   const std::size_t count = linear.images.size();
-  const std::size_t asked = std::min(most_pictures, count);
   std::vector<double> misfits(exponents.size());
   double pictures = 0.0;
   for (const SphereReading& reading : calibration.readings) {
     if (reading.sphere.kind != SphereKind::matte) continue;
+    std::vector<std::size_t> lit;  // a disc in shadow says nothing of the curve
+    for (std::size_t k = 0; k < count; ++k) {
+      if (std::isfinite(reading.lights[k].direction_sigma)) lit.push_back(k);
+    }
+    const std::size_t asked = std::min(most_pictures, lit.size());
     std::vector<std::array<double, exponents.size()>> seen(asked);
     for_each_index(int(asked), [&](int i) {
-      const auto k = std::size_t(i) * count / asked;
+      const std::size_t k = lit[std::size_t(i) * lit.size() / asked];
       seen[std::size_t(i)] = misfits_by_exponent(linear, k, reading.sphere);
     });
     for (const auto& picture : seen) {

@@ -1,5 +1,8 @@
 #include "capture/calibrate.h"
 
+#include <cmath>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -63,6 +66,43 @@ TEST(Calibrate, HearsFromTheMatteSphereHowThePicturesAreEncoded) {
       }
     }
     EXPECT_EQ(calibrate(photographs).linear, linear);
+  }
+}
+
+TEST(Calibrate, HearsNothingOfTheEncodingFromAnEvenDisc) {
+  Photographs photographs = table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)});
+  photographs.encoding_known = false;
+  photographs.linear = false;
+  dim_disc(photographs.images[3].planes[0], {60.0, 55.0}, 26.0, 0.0f, 0.01f);
+  const Calibration calibration = calibrate(photographs);
+  EXPECT_TRUE(calibration.linear);
+  EXPECT_THAT(calibration.remarks,
+              testing::Contains(testing::ContainsRegex("off by ..?\\.. % that way, by ..\\.. %")));
+}
+
+TEST(Calibrate, LeavesAMatteSphereInShadowToTheOthers) {
+  for (const float ambient : {0.0f, 0.01f}) {
+    Photographs photographs = table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0, 12.0)});
+    const Calibration before = calibrate(photographs);
+    dim_disc(photographs.images[3].planes[0], {60.0, 55.0}, 26.0, 0.03f, ambient);
+    const Calibration calibration = calibrate(photographs);
+    EXPECT_FALSE(std::isfinite(calibration.readings[1].lights[3].direction_sigma));
+    // The mirror and the sample know this light by themselves, about as well.
+    EXPECT_LT(angle_deg(calibration.lights[3].direction, before.lights[3].direction), 0.5);
+    EXPECT_NEAR(calibration.lights[3].strength[0], before.lights[3].strength[0], 0.02);
+  }
+}
+
+TEST(Calibrate, RefusesALightWhoseStrengthNothingTells) {
+  Rig rig = table_rig({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0, 12.0)});
+  rig.lights.resize(4);  // too few for the sample to tell strengths
+  Photographs photographs = photographs_of(photograph(waved_sheet(24.0), rig));
+  dim_disc(photographs.images[3].planes[0], {60.0, 55.0}, 26.0, 0.03f, 0.0f);
+  try {
+    calibrate(photographs);
+    FAIL() << "a strength was made up";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("picture_3.png: no matte sphere is well lit"));
   }
 }
 

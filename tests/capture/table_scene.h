@@ -96,6 +96,17 @@ inline Photographs table_scene(std::vector<TableSphere> spheres) {
   return photographs_of(photograph(waved_sheet(24.0), table_rig(std::move(spheres))));
 }
 
+/// Multiplies what a picture shows within `radius_px` of a place and adds `ambient`.
+inline void dim_disc(Grid<float>& picture, const Eigen::Vector2d& center, double radius_px,
+                     float factor, float ambient) {
+  for (int row = 0; row < picture.rows(); ++row) {
+    for (int col = 0; col < picture.cols(); ++col) {
+      if ((Eigen::Vector2d(col + 0.5, row + 0.5) - center).norm() > radius_px) continue;
+      picture(row, col) = factor * picture(row, col) + ambient;
+    }
+  }
+}
+
 inline void put_on_disk(Photographs& photographs) {
   for (Image& image : photographs.images) {
     for (auto& plane : image.planes) {

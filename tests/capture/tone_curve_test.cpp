@@ -13,6 +13,7 @@ using testing::Contains;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 Photographs bent_scene(double gamma) {
   Photographs photographs = table_scene({matte_at(-18.0, 0.0)});
@@ -49,6 +50,12 @@ TEST(ToneCurve, IsFoundWhereLinearPicturesAreTakenAsSrgb) {
 TEST(ToneCurve, IsNotSeenInLinearPictures) {
   const Photographs photographs = table_scene({matte_at(-18.0, 0.0)});
   EXPECT_THAT(remarks_on_curve(photographs, calibrate(photographs)), IsEmpty());
+}
+
+TEST(ToneCurve, IsNotAskedOfAnEvenDisc) {
+  Photographs photographs = table_scene({matte_at(-18.0, 9.0), chrome_at(-20.0, -9.0)});
+  dim_disc(photographs.images[3].planes[0], {60.0, 55.0}, 26.0, 0.0f, 0.01f);
+  EXPECT_THAT(calibrate(photographs).remarks, Not(Contains(HasSubstr("not linear"))));
 }
 
 }  // namespace
