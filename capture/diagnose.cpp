@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "capture/agreement.h"
 #include "capture/lit_disc.h"
 
 namespace hada {
@@ -198,12 +199,8 @@ std::vector<std::string> remarks_on_spheres(const Photographs& linear,
     remark_on_unseen(linear, reading, discs, remarks);
     remark_on_pictures(linear, reading, discs, remarks);
   }
-  if (calibration.disagreement > 3.0 * degree) {
-    remarks.push_back(fmt::format(
-        "The spheres disagree by {:.1f} degrees on average: one may be no sphere, may have moved, "
-        "or its outline is off; look at them in the report.",
-        calibration.disagreement / degree));
-  }
+  const auto agreement = remarks_on_agreement(calibration, linear.camera);
+  remarks.insert(remarks.end(), agreement.begin(), agreement.end());
   return remarks;
 }
 
