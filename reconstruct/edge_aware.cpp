@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,8 +49,9 @@ class Sides {
   double sharpness_;
 };
 
+// of_pixels: their weights, 1 in the median; or null
 Weighted weighted_by(const Grid<float>& height, const SlopeMap& slopes, const Grid<float>& facing,
-                     const Mask& mask, double sharpness) {
+                     const Mask& mask, double sharpness, const Grid<float>* of_pixels) {
   const int rows = mask.rows();
   const int cols = mask.cols();
   Weighted w{{Grid<float>(rows, cols), Grid<float>(rows, cols)},
@@ -66,7 +68,9 @@ Weighted weighted_by(const Grid<float>& height, const SlopeMap& slopes, const Gr
   for_each_index(rows, [&](int row) {
     for (int col = 0; col < cols; ++col) {
       if (!mask(row, col)) continue;
-      const auto squared = [&](int r, int c) { return double(facing(r, c)) * facing(r, c); };
+      const auto squared = [&](int r, int c) {
+        return double(facing(r, c)) * facing(r, c) * (of_pixels ? double((*of_pixels)(r, c)) : 1.0);
+      };
       double& sum = energy[std::size_t(row)];
       if (col + 1 < cols && mask(row, col + 1)) {
         sum += join(squared(row, col) * (1.0 - sides.back(row, col, 0, 1)), slopes(row, col).x(),
@@ -128,14 +132,18 @@ EdgeAware edge_aware_height(const SlopeMap& slopes, const Grid<float>& facing, c
                             const EdgeAwareOptions& options) {
   EdgeAware result{Grid<float>(mask.rows(), mask.cols())};
   Grid<float>& height = result.height;
+  std::optional<Grid<float>> weight;
+  if (options.weight) weight = with_median_1(*options.weight, mask);
+  const Grid<float>* const of_pixels = weight ? &*weight : nullptr;
   double last = 0.0;
   for (int round = 0; round < options.max_rounds; ++round) {
-    Weighted w = weighted_by(height, slopes, facing, mask, options.sharpness);
+    Weighted w = weighted_by(height, slopes, facing, mask, options.sharpness, of_pixels);
     if (round > 1 && std::abs(w.energy - last) < options.least_change * last) break;
     last = w.energy;
-    result.held_together = held_together(w.weights, facing, mask);
     height = SlopeSolver(mask, std::move(w.weights)).height(w.rises, options.tolerance_px, 40);
   }
+  const auto sides = weighted_by(height, slopes, facing, mask, options.sharpness, nullptr);
+  result.held_together = held_together(sides.weights, facing, mask);
   return result;
 }
 

@@ -10,6 +10,7 @@ struct EdgeAwareOptions {
   int max_rounds = 150;
   double least_change = 1e-4;  // relative, of the energy, where the rounds stop
   double tolerance_px = 1e-3;
+  const Grid<float>* weight = nullptr;  // of the slope of each pixel, > 0: 1 over its variance
 };
 
 struct EdgeAware {
@@ -25,11 +26,13 @@ struct EdgeAware {
 ///
 ///     s = 1 / (1 + exp(-k ((m step_right)^2 - (m step_left)^2))),
 ///
-/// so the side with the smaller step counts. The steps are those of the last height; weights and
-/// height are found in turn, from equal weights on.
+/// so the side with the smaller step counts; both times the weight of the pixel, where there is
+/// one. The steps are those of the last height; weights and height are found in turn, from equal
+/// sides on.
 ///
 /// Where jumps cut a part off all around, nothing says how high it lies over the rest:
-/// `held_together` tells. A pair counts as cut where its weight is below 0.3 of m^2.
+/// `held_together` tells. A pair counts as cut where its weight is below 0.3 of m^2, whatever its
+/// pixels weigh.
 ///
 /// slopes, facing  as of `slopes_of` and `facing_of`
 /// Source: X. Cao, H. Santo, B. Shi, F. Okura, Y. Matsushita, Bilateral normal integration, ECCV

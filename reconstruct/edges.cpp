@@ -1,8 +1,22 @@
 #include "reconstruct/edges.h"
 
+#include <utility>
+#include <vector>
+
 #include "core/parallel.h"
+#include "core/quantile.h"
 
 namespace hada {
+
+Grid<float> with_median_1(Grid<float> weight, const Mask& mask) {
+  std::vector<float> inside;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    if (mask[i]) inside.push_back(weight[i]);
+  }
+  const float middle = median(std::move(inside));
+  for (float& value : weight) value /= middle;
+  return weight;
+}
 
 EdgeWeights edge_weights(const Grid<float>& weight) {
   const Grid<float> none(weight.rows(), weight.cols(), 0.0f, weight.memory());

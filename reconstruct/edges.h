@@ -19,6 +19,9 @@ struct EdgeRises {
   Grid<float> south;
 };
 
+/// The same weights, so scaled that their median inside the mask is 1.
+Grid<float> with_median_1(Grid<float> weight, const Mask& mask);
+
 /// The weights of equations between pixels that count as `weight` says, > 0: an equation takes the
 /// slope of both pixels, so its variance is the mean of theirs, 1 / weight each.
 EdgeWeights edge_weights(const Grid<float>& weight);

@@ -107,7 +107,8 @@ constexpr double least_held_together = 0.98;
 
 EdgeAware with_jumps(const NormalMap& normals, const Mask& mask, const IntegrateOptions& options) {
   return edge_aware_height(slopes_of(normals, mask, options.pin_hole, least_facing_at_jumps),
-                           facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask);
+                           facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask,
+                           {.weight = options.weight.empty() ? nullptr : &options.weight});
 }
 
 struct Disagreement {
@@ -148,7 +149,14 @@ class Binned {
 
 // Round a square of four pixels the rises of any height add up to 0. Errors of the normals leave a
 // little everywhere, a jump leaves much along a line.
-Disagreement disagreement(const Grid<float>& height, const SlopeMap& slopes, const Mask& mask) {
+//
+// weight  of each pixel, or empty: what hardly counts may disagree with all others
+Disagreement disagreement(const Grid<float>& height, const SlopeMap& slopes, const Mask& mask,
+                          const Grid<float>& weight) {
+  const Grid<float> relative = weight.empty() ? weight : with_median_1(weight, mask);
+  const auto trust = [&](int row, int col) {
+    return relative.empty() ? 1.0f : std::min(1.0f, relative(row, col));
+  };
   const auto inside = [&](int row, int col) { return mask.contains(row, col) && mask(row, col); };
   const auto rise_east = [&](int row, int col) {
     return 0.5f * (slopes(row, col).x() + slopes(row, col + 1).x());
@@ -163,8 +171,9 @@ Disagreement disagreement(const Grid<float>& height, const SlopeMap& slopes, con
     for (int col = 0; col < mask.cols(); ++col) {
       if (!mask(row, col)) continue;
       const auto add = [&](int r, int c, float rise) {
-        sum += std::pow(double(height(r, c)) - height(row, col) - rise, 2);
-        count += 1.0;
+        const double counts = double(std::min(trust(row, col), trust(r, c)));
+        sum += counts * std::pow(double(height(r, c)) - height(row, col) - rise, 2);
+        count += counts;
       };
       const bool right = inside(row, col + 1);
       const bool below = inside(row + 1, col);
@@ -173,7 +182,9 @@ Disagreement disagreement(const Grid<float>& height, const SlopeMap& slopes, con
       if (!right || !below || !inside(row + 1, col + 1)) continue;
       const float curl = rise_east(row, col) + rise_south(row, col + 1) - rise_east(row + 1, col) -
                          rise_south(row, col);
-      curls.add(curl * curl);
+      const float counts = std::min(
+          {trust(row, col), trust(row, col + 1), trust(row + 1, col), trust(row + 1, col + 1)});
+      curls.add(counts * curl * curl);
     }
   }
   return {std::sqrt(sum / std::max(count, 1.0)), curls.share_of_largest(0.01)};
@@ -192,9 +203,6 @@ Grid<float> integrate(const NormalMap& normals, const Mask& mask, double pitch,
 Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, double pitch,
                                 Jumps jumps, const IntegrateOptions& options) {
   require_pixels(mask);
-  if (jumps == Jumps::allowed && !options.weight.empty()) {
-    throw Error("jumps and weights cannot be had together: leave out one of them");
-  }
   const bool too_large = mask.memory() != nullptr;
   if (jumps == Jumps::allowed && too_large) {
     throw Error("jumps cannot be found in a map that is kept on the disk: keep it in memory");
@@ -204,16 +212,15 @@ Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, doub
     Grid<float> height = height_px(slopes, mask, options);
     std::string reason = "as asked";
     if (jumps == Jumps::automatic) {
-      const Disagreement found = disagreement(height, slopes, mask);
+      const Disagreement found = disagreement(height, slopes, mask, options.weight);
       reason = fmt::format(
           "slopes disagree with the height by {:.2g} px rms, and {:.0f} % of their "
           "curl is in 1 % of the pixels: no sign of jumps",
           found.rms, 100.0 * found.share_of_worst);
-      if (!options.weight.empty()) reason = "weights were given";
       const bool suspicious = found.rms > least_rms && found.share_of_worst > least_share;
       if (suspicious && too_large) {
         reason = "there are signs of jumps, but the map is too large to look for them";
-      } else if (suspicious && options.weight.empty()) {
+      } else if (suspicious) {
         jumps = Jumps::allowed;
       }
     }

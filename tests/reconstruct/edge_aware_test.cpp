@@ -35,5 +35,36 @@ TEST(EdgeAware, KeepsAStepThatItsPixelsAgreeOn) {
   EXPECT_NEAR(inside_lower, 0.0, 0.8);
 }
 
+TEST(EdgeAware, LetsPixelsCountAsTheyAreKnown) {
+  // A step between two planes, and a patch whose slopes are wrong and known to be.
+  const Relief planes = relief_of(80, 80, [](double x, double y) {
+    const double slope = y > 0.0 ? 0.8 : 0.0;
+    return Eigen::Vector3d(slope * (x + 39.5), slope, 0.0);
+  });
+  const Mask mask(80, 80, 1);
+  NormalMap spoilt = planes.normals;
+  Grid<float> weight(80, 80, 3.0f);
+  Mask outside = mask;  // of the patch
+  for (int row = 55; row < 70; ++row) {
+    for (int col = 30; col < 45; ++col) {
+      spoilt(row, col) = Eigen::Vector3f(-0.6f, 0.3f, 0.74f).normalized();
+      weight(row, col) = 3e-4f;
+      outside(row, col) = 0;
+    }
+  }
+  const auto height = [&](const NormalMap& normals, const Grid<float>* of_pixels) {
+    return edge_aware_height(slopes_of(normals, mask), facing_of(normals, mask), mask,
+                             {.weight = of_pixels})
+        .height;
+  };
+  const Grid<float> clean = height(planes.normals, nullptr);
+  const double known = rms_difference(height(spoilt, &weight), clean, outside);
+  const double unknown = rms_difference(height(spoilt, nullptr), clean, outside);
+  EXPECT_LT(known, 0.8 * unknown);
+  // Weights that are all alike say nothing, however large they are.
+  const Grid<float> alike(80, 80, 50.0f);
+  EXPECT_LT(rms_difference(height(planes.normals, &alike), clean, mask), 0.01);
+}
+
 }  // namespace
 }  // namespace hada
