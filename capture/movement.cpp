@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
+#include "capture/edge_gradient.h"
 #include "capture/opencv_view.h"
 #include "core/parallel.h"
 #include "core/quantile.h"
@@ -51,8 +52,17 @@ Outline outline_of(const Sphere& sphere, double step) {
   return outline;
 }
 
+// Around a sphere the mask ends because the sphere was cut out of it, not the sample.
+bool is_cut_out(const Eigen::Vector2d& at_px, const std::vector<Sphere>& spheres, double step) {
+  constexpr double reach = 1.2;   // of the radius
+  constexpr double smooth = 3.0;  // px of the reduced picture
+  return std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& sphere) {
+    return (at_px - sphere.center_px).norm() < reach * sphere.radius_px + smooth * step;
+  });
+}
+
 // The border of the mask, without the frame of the picture: there nothing ends.
-Outline outline_of(const Mask& mask, double step) {
+Outline outline_of(const Mask& mask, const std::vector<Sphere>& spheres, double step) {
   Outline outline{"the sample", false, {}, {}};
   Grid<float> inside(mask.rows(), mask.cols());
   std::transform(mask.begin(), mask.end(), inside.begin(),
@@ -67,7 +77,7 @@ Outline outline_of(const Mask& mask, double step) {
       const bool at_border =
           small(row, col) >= 0.5f && (small(row - 1, col) < 0.5f || small(row + 1, col) < 0.5f ||
                                       small(row, col - 1) < 0.5f || small(row, col + 1) < 0.5f);
-      if (!at_border) continue;
+      if (!at_border || is_cut_out(step * Eigen::Vector2d(col, row), spheres, step)) continue;
       const Eigen::Vector2d up(soft(row, col + 1) - soft(row, col - 1),
                                soft(row + 1, col) - soft(row - 1, col));
       if (up.norm() < 0.1) continue;  // a hair, or a hole of one pixel
@@ -85,28 +95,6 @@ Grid<float> mean_of(const std::vector<Grid<float>>& greys) {
     for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += grey[i] / float(greys.size());
   }
   return mean;
-}
-
-struct Gradient {
-  Grid<float> u, v;
-};
-
-// Of the brightness over that of bright things, smoothed over about a pixel.
-Gradient gradient_of(const Grid<float>& grey) {
-  std::vector<float> values(grey.begin(), grey.end());
-  const float bright = quantile(std::move(values), 0.95) + 1e-9f;
-  Grid<float> shares(grey.rows(), grey.cols());
-  std::transform(grey.begin(), grey.end(), shares.begin(),
-                 [&](float value) { return std::clamp(value / bright, 0.0f, 1.0f); });
-  cv::GaussianBlur(view(shares), view(shares), {}, 1.0, 1.0, cv::BORDER_REPLICATE);
-  Gradient gradient{Grid<float>(grey.rows(), grey.cols()), Grid<float>(grey.rows(), grey.cols())};
-  for (int row = 1; row + 1 < grey.rows(); ++row) {
-    for (int col = 1; col + 1 < grey.cols(); ++col) {
-      gradient.u(row, col) = 0.5f * (shares(row, col + 1) - shares(row, col - 1));
-      gradient.v(row, col) = 0.5f * (shares(row + 1, col) - shares(row - 1, col));
-    }
-  }
-  return gradient;
 }
 
 // Moves the border of a mask, which lies a little inside, onto the edge that the mean picture
@@ -176,7 +164,9 @@ Peak peak_of(const Gradient& gradient, const Outline& outline, int reach) {
     }
   }
   constexpr double visible = 0.03;  // of the brightness, to a pixel
-  constexpr double falls = 0.02;    // one pixel off the peak, in every direction
+  // One pixel off the peak, in every direction. The shading of a sphere falls by the inverse of its
+  // radius, which on a bright table is all that is seen of it.
+  const double falls = outline.round ? 0.08 : 0.02;
   peak.clear = peak.height > visible;
   peak.shift = best.cast<double>();
   for (const Eigen::Vector2i& way : {Eigen::Vector2i(1, 0), Eigen::Vector2i(0, 1),
@@ -271,7 +261,7 @@ std::vector<std::string> remarks_on_movement(const std::vector<Image>& pictures,
   });
   std::vector<Outline> outlines;
   if (!mask.empty()) {
-    outlines.push_back(outline_of(mask, step));
+    outlines.push_back(outline_of(mask, spheres, step));
     settle(outlines.back(), gradient_of(mean_of(greys)));
   }
   for (const Sphere& sphere : spheres) {

@@ -63,6 +63,37 @@ TEST(Movement, OfTheSampleIsToldFromThatOfTheCamera) {
                                                    HasSubstr("6 px off its place"))));
 }
 
+// A stack of a rig, with the lights it was made with.
+LightStack stack_of(const Surface& sheet, const Rig& rig) {
+  auto lights = rig.lights;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    lights[k].image = "picture_" + std::to_string(k) + ".png";
+  }
+  const Sphere sphere{SphereKind::matte, {60.0, 55.0}, 25.0, 0.1, {}};
+  return light_stack(photographs_of(photograph(sheet, rig)), lights, {sphere});
+}
+
+TEST(Movement, IsNotReadOffTheHoleThatASphereLeavesInTheSample) {
+  // Nothing but sheet and sphere: the rig's table is as bright as a sheet.
+  Rig rig = table_rig({matte_at(-18.0, 9.0)});
+  rig.table_albedo = 0.8;
+  const LightStack stack = stack_of(waved_sheet(24.0), rig);
+  EXPECT_THAT(remarks_on_movement(stack.images, stack.lights,
+                                  {{SphereKind::matte, {60.0, 55.0}, 25.0, 0.1, {}}}, stack.mask),
+              IsEmpty());
+}
+
+TEST(Movement, IsNotReadOffTheShadingOfASphereOnABrightTable) {
+  Rig rig = table_rig({matte_at(-18.0, 9.0)});
+  rig.table_albedo = 0.3;
+  rig.lights = {light_at(28, 12),  light_at(46, 55),  light_at(34, 101), light_at(50, 147),
+                light_at(25, 188), light_at(42, 236), light_at(38, 283), light_at(48, 329)};
+  const LightStack stack = stack_of(waved_sheet(24.0), rig);
+  EXPECT_THAT(remarks_on_movement(stack.images, stack.lights,
+                                  {{SphereKind::matte, {60.0, 55.0}, 25.0, 0.1, {}}}, {}),
+              IsEmpty());
+}
+
 TEST(Movement, IsMeasuredToAPixel) {
   LightStack stack = good_stack();
   shift(stack.images[1], 7, 2, 0);
