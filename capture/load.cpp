@@ -71,9 +71,8 @@ std::string size_text(const Image& image) {
 Image companion(const std::filesystem::path& path, const Camera& camera) {
   Image image = read_image(path).image;
   if (image.rows() != camera.extent.rows || image.cols() != camera.extent.cols) {
-    throw Error(fmt::format("{}: is {}, but the pictures are {} x {}; use one size",
-                            path.string(), size_text(image), camera.extent.cols,
-                            camera.extent.rows));
+    throw Error(fmt::format("{}: is {}, but the pictures are {} x {}; use one size", path.string(),
+                            size_text(image), camera.extent.cols, camera.extent.rows));
   }
   return image;
 }

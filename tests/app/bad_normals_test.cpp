@@ -187,7 +187,7 @@ TEST_F(BadNormals, AnotherSizeAndAnEmptyMaskAreSaid) {
 }
 
 TEST_F(BadNormals, WordsThatDoNotGoTogetherAreSaid) {
-  expect_refused(file("normals.exr") + " --weights " + file("mask.png") + " --jumps allowed");
+  expect_refused(file("normals.exr") + " --memory disk --jumps allowed");
   expect_refused(file("normals.exr") + " --jumps sometimes");
   expect_refused(file("normals.exr") + " --pitch -1");
 }
