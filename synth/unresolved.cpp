@@ -28,10 +28,13 @@ SlopeCovariance all_slopes(const RepeatedCovariance<>& covariance) {
 }
 
 SlopeCovariance all_slopes(const WovenCovariance<>& covariance) {
-  const auto& [kernel, p, q, nn, nm, mm] = covariance;
+  const GaussianCovariance<>& kernel = covariance.kernel;
+  const auto& p = covariance.p;
+  const auto& q = covariance.q;
   SlopeCovariance sum;
-  for_each_crossing(nn + inner(kernel, p, p), nm + inner(kernel, p, q), mm + inner(kernel, q, q),
-                    0.0, 0.0, 0.0, [&](double n, double m, double weight) {
+  for_each_crossing(covariance.nn + inner(kernel, p, p), covariance.nm + inner(kernel, p, q),
+                    covariance.mm + inner(kernel, q, q), 0.0, 0.0, 0.0,
+                    [&](double n, double m, double weight) {
                       const double x = n * p.x + m * q.x, y = n * p.y + m * q.y;
                       const double across = kernel.xx * x + kernel.xy * y;
                       const double up = kernel.xy * x + kernel.yy * y;

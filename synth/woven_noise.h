@@ -146,9 +146,9 @@ WovenCovariance<T> narrowed(const WovenCovariance<T>& covariance, const Gaussian
   const auto& [kernel, p, q, nn, nm, mm] = covariance;
   const GaussianCovariance<T> narrow = narrowed(kernel, by);
   const T det = narrow.xx * narrow.yy - narrow.xy * narrow.xy;
-  const auto drawn_in = [&](const Step<T>& step) {  // (M + W)^-1 M p
-    const T x = kernel.xx * step.x + kernel.xy * step.y;
-    const T y = kernel.xy * step.x + kernel.yy * step.y;
+  const auto drawn_in = [&, &m = covariance.kernel](const Step<T>& step) {  // (M + W)^-1 M p
+    const T x = m.xx * step.x + m.xy * step.y;
+    const T y = m.xy * step.x + m.yy * step.y;
     return Step<T>{(narrow.yy * x - narrow.xy * y) / det, (narrow.xx * y - narrow.xy * x) / det};
   };
   const Step<T> a = drawn_in(p), b = drawn_in(q);
