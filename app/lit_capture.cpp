@@ -86,6 +86,7 @@ LitCapture lit_capture(Photographs photographs,
     lit.lights = lights_file(*lit.calibration, photographs.camera.extent.unit);
     lit.spheres = lit.lights.spheres;
     lit.source = "the spheres in the pictures";
+    photographs.ambient_light = lit.calibration->ambient_light;
     if (lit.calibration->encoding_known) believe(photographs, lit.calibration->linear);
     add(lit.remarks, lit.calibration->remarks);
   }

@@ -7,8 +7,10 @@
 #include <Eigen/Geometry>
 #include <fmt/core.h>
 
+#include "capture/ambient.h"
 #include "capture/chrome_sphere.h"
 #include "capture/diagnose.h"
+#include "capture/evidence.h"
 #include "capture/find_spheres.h"
 #include "capture/lit_disc.h"
 #include "capture/matte_sphere.h"
@@ -152,10 +154,42 @@ std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
   for (std::size_t k = 0; k < count; ++k) {
     if (!is_seen(reading->lights[k])) continue;
     const Eigen::Vector3d channels = reading->lights[k].strength.cwiseQuotient(mean);
-    const Eigen::Vector3d weight(luminance_weight[0], luminance_weight[1], luminance_weight[2]);
-    colour[k] = channels / weight.dot(channels);
+    colour[k] = channels / grey_of(channels);
   }
   return colour;
+}
+
+// The pictures with linear values, as far as the calibration knows what that takes.
+Photographs read_linear(const Photographs& given, const Calibration& calibration) {
+  Photographs read = copy_of(given);
+  read.linear = calibration.linear;
+  read.ambient_light = calibration.ambient_light;
+  return linearized(std::move(read));
+}
+
+std::vector<SphereReading> read_spheres(const Photographs& linear,
+                                        const std::vector<Sphere>& spheres) {
+  std::vector<SphereReading> readings;
+  for (const Sphere& sphere : spheres) {
+    readings.push_back(sphere.kind == SphereKind::matte
+                           ? read_matte_sphere(linear, sharpened_matte(linear, sphere))
+                           : read_chrome_sphere(linear, sphere));
+  }
+  leave_out_shadowed(linear, readings);
+  return readings;
+}
+
+// What matte spheres show in all pictures where no lamp reaches, and that it was taken off.
+void take_ambient(const Photographs& linear, Calibration& calibration) {
+  const auto& readings = calibration.readings;
+  if (std::none_of(readings.begin(), readings.end(), shows_ambient)) return;
+  calibration.ambient_light = ambient_light(evidence(linear, readings), readings, linear.camera);
+  if (calibration.ambient_light.isZero()) return;
+  const auto matte = std::find_if(readings.begin(), readings.end(), [](const SphereReading& r) {
+    return r.sphere.kind == SphereKind::matte;
+  });
+  calibration.remarks.push_back(
+      remark_on_ambient(grey_of(calibration.ambient_light) / full_light(*matte)));
 }
 
 }  // namespace
@@ -180,18 +214,14 @@ Calibration calibrate(const Photographs& given) {
   }
   decide_encoding(given, found.spheres, calibration);
   std::optional<Photographs> made;  // large pictures are only copied where values change
-  if (!is_linearized(given) || !calibration.linear) {
-    made = copy_of(given);
-    made->linear = calibration.linear;
-    made = linearized(std::move(*made));
+  if (!is_linearized(given) || !calibration.linear) made = read_linear(given, calibration);
+  calibration.readings = read_spheres(made ? *made : given, found.spheres);
+  take_ambient(made ? *made : given, calibration);
+  if (!calibration.ambient_light.isZero()) {
+    made = read_linear(given, calibration);
+    calibration.readings = read_spheres(*made, found.spheres);
   }
   const Photographs& linear = made ? *made : given;
-  for (const Sphere& sphere : found.spheres) {
-    calibration.readings.push_back(sphere.kind == SphereKind::matte
-                                       ? read_matte_sphere(linear, sharpened_matte(linear, sphere))
-                                       : read_chrome_sphere(linear, sphere));
-  }
-  leave_out_shadowed(linear, calibration.readings);
   for (std::size_t k = 0; k < linear.images.size(); ++k) {
     Light light = combined(calibration.readings, k);
     if (!is_seen(light)) {
@@ -200,7 +230,9 @@ Calibration calibrate(const Photographs& given) {
     }
     calibration.lights.push_back(light);
   }
-  const auto refined = refined_lights(linear, calibration.readings, calibration.lights);
+  const double ambient = grey_of(calibration.ambient_light);
+  const auto refined = refined_lights(linear, calibration.readings, calibration.lights, ambient);
+  if (ambient > 0.0) calibration.ambient_light *= 1.0 + refined.sheet_ambient / ambient;
   const auto colour = colours(calibration.readings, linear.images.size());
   calibration.lights = refined.lights;
   for (std::size_t k = 0; k < colour.size(); ++k) {

@@ -14,6 +14,8 @@ struct SphereReading {
   Sphere sphere;
   std::vector<Light> lights;  // one for each picture; direction_sigma infinite: not seen
   std::vector<Eigen::Vector2d> highlights_px;  // chrome: the middle of each highlight
+  std::vector<Eigen::Vector3d> dark;  // matte: what each picture shows where its light does not
+                                      // reach; NaN where all is lit
   double misfit = 0.0;  // matte: root mean square residual over that of the brightness
 };
 
@@ -26,8 +28,9 @@ struct Calibration {
   bool linear = true;              // how the pictures were read
   bool encoding_known = true;      // false: `linear` is an assumption; see settle_encoding
   bool strengths_measured = true;  // false: all 1; see balance_strengths
-  std::vector<LightErrorMode> errors;  // how the lights may be wrong together
-  std::vector<std::string> remarks;    // plain sentences
+  Eigen::Vector3d ambient_light{0.0, 0.0, 0.0};  // what the sample shows without a lamp
+  std::vector<LightErrorMode> errors;            // how the lights may be wrong together
+  std::vector<std::string> remarks;              // plain sentences
 };
 
 /// Finds the spheres, reads the lights off each, and lets a joint fit agree them with each other

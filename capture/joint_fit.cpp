@@ -126,7 +126,7 @@ void update_sigmas(JointState& state, const Evidence& evidence) {
       values.push_back(value);
       Eigen::Vector3d point = evidence.sheet.points[p];
       point.z() = state.sheet[p][3];
-      all.push_back(value -
+      all.push_back(value - state.sheet_ambient -
                     vector_of(state.sheet[p].data()).dot(arriving_at(state.lights[k], point)));
     }
   }

@@ -31,10 +31,12 @@ struct JointState {
   std::vector<SphereState> spheres;
   std::vector<std::array<double, 4>> sheet;  // albedo times normal, and height, at each point
   double sheet_sigma = 1.0;
-  double table = 0.0;           // height of what the spheres rest on; the sheet lies at z = 0
-  double eye = 0.0;             // height of the camera; 0: orthographic
-  double strength_sigma = 0.5;  // spread of the logarithms of the strengths
-  double cost = 0.0;            // half the sum of squares, robust, at the end of the last descent
+  double sheet_ambient = 0.0;        // what all of the sheet shows without a lamp
+  double sheet_ambient_sigma = 0.0;  // how large that may be; 0: there is none
+  double table = 0.0;                // height of what the spheres rest on; the sheet lies at z = 0
+  double eye = 0.0;                  // height of the camera; 0: orthographic
+  double strength_sigma = 0.5;       // spread of the logarithms of the strengths
+  double cost = 0.0;  // half the sum of squares, robust, at the end of the last descent
 };
 
 /// What arrives from a light at a point, its strength included.

@@ -97,6 +97,16 @@ void JointProblem::add_sheet(JointState& state, const SheetEvidence& seen) {
   for (const auto& point : seen.points) reach = reach.cwiseMax((point - seen.center).cwiseAbs());
   constexpr int parts = 8;
   const double relief_sigma = 0.1 * largest_radius(state);
+  problem.AddParameterBlock(&state.sheet_ambient, 1);
+  if (state.sheet_ambient_sigma > 0.0) {
+    shared.push_back(&state.sheet_ambient);
+    using Number = ceres::AutoDiffCostFunction<PriorCost<1>, 1, 1>;
+    using One = Eigen::Matrix<double, 1, 1>;
+    add(new Number(new PriorCost<1>{One(0.0), One(state.sheet_ambient_sigma)}), nullptr, other,
+        {&state.sheet_ambient});
+  } else {
+    problem.SetParameterBlockConstant(&state.sheet_ambient);
+  }
   for (std::size_t p = 0; p < seen.points.size(); ++p) {
     double* const pixel = state.sheet[p].data();
     problem.AddParameterBlock(pixel, 4);
@@ -108,10 +118,11 @@ void JointProblem::add_sheet(JointState& state, const SheetEvidence& seen) {
     for (std::size_t k = 0; k < state.lights.size(); ++k) {
       if (std::isnan(seen.values[p][k])) continue;
       LightState& light = state.lights[k];
-      using Cost = ceres::AutoDiffCostFunction<SheetCost, 1, 3, 1, 1, 4>;
+      using Cost = ceres::AutoDiffCostFunction<SheetCost, 1, 3, 1, 1, 1, 4>;
       add(new Cost(new SheetCost{seen.points[p], seen.values[p][k], &state.sheet_sigma}), robust(),
           {Row::Kind::sheet, int(k) * parts * parts + part},
-          {light.direction.data(), &light.log_strength, &light.inverse_distance, pixel});
+          {light.direction.data(), &light.log_strength, &light.inverse_distance,
+           &state.sheet_ambient, pixel});
     }
   }
 }

@@ -12,7 +12,8 @@
 /// and its inverse distance [1]; a sphere is its place on the table and its radius [3]; the table
 /// has a height below the sheet [1]; a matte sphere also has the logarithm of its value where a
 /// light of strength 1 meets it squarely, and its reflectance for light thrown by the surroundings
-/// [2]; a pixel of the sheet is albedo times normal [3].
+/// [2]; a pixel of the sheet is albedo times normal and its height [4]; all of the sheet shows the
+/// same ambient light [1].
 namespace hada {
 
 template <class T>
@@ -81,7 +82,8 @@ struct ChromeCost {
   }
 };
 
-/// A pixel of the sheet: g.L for g = albedo times normal. How high it lies matters to near lamps.
+/// A pixel of the sheet: g.L + ambient for g = albedo times normal. How high it lies matters to
+/// near lamps.
 struct SheetCost {
   Eigen::Vector3d point;
   double value;
@@ -89,11 +91,11 @@ struct SheetCost {
 
   template <class T>
   bool operator()(const T* direction, const T* log_strength, const T* inverse_distance,
-                  const T* pixel, T* residual) const {
+                  const T* ambient, const T* pixel, T* residual) const {
     using std::exp;
     const Eigen::Matrix<T, 3, 1> place(T(point.x()), T(point.y()), pixel[3]);
     const auto light = arriving<T>(vector_of(direction), *inverse_distance, place);
-    residual[0] = (value - exp(*log_strength) * vector_of(pixel).dot(light)) / *sigma;
+    residual[0] = (value - *ambient - exp(*log_strength) * vector_of(pixel).dot(light)) / *sigma;
     return true;
   }
 };

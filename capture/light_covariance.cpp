@@ -153,17 +153,23 @@ Eigen::VectorXd arriving_change(const JointState& state, const Eigen::Vector3d& 
   return change;
 }
 
-}  // namespace
+// A joint problem at a state: its residuals, and their change with the free unknowns.
+struct Linearised {
+  JointProblem joint;
+  int size = 0;  // of the unknowns but the sheet's
+  std::vector<double> residuals;
+  ceres::CRSMatrix jacobian;
 
-Eigen::MatrixXd arriving_covariance(JointState& state, const Evidence& evidence, LampModel model,
-                                    const Eigen::Vector3d& point) {
-  JointProblem joint(state, evidence, model);
+  Linearised(JointState& state, const Evidence& evidence, LampModel model);
+};
+
+Linearised::Linearised(JointState& state, const Evidence& evidence, LampModel model)
+    : joint(state, evidence, model) {
   ceres::Problem::EvaluateOptions options;
   options.residual_blocks = joint.blocks;
   for (double* block : joint.shared) {
     if (!joint.problem.IsParameterBlockConstant(block)) options.parameter_blocks.push_back(block);
   }
-  int size = 0;
   for (double* block : options.parameter_blocks) {
     size += joint.problem.ParameterBlockTangentSize(block);
   }
@@ -171,10 +177,69 @@ Eigen::MatrixXd arriving_covariance(JointState& state, const Evidence& evidence,
                                   joint.sheet.end());
   options.apply_loss_function = false;
   options.num_threads = 1;
-  std::vector<double> residuals;
-  ceres::CRSMatrix jacobian;
   joint.problem.Evaluate(options, nullptr, &residuals, nullptr, &jacobian);
+}
 
+// Twice the cost of the residuals of one kind, as the fit counts it.
+double cost_of(const Linearised& at, Kind kind) {
+  constexpr double width = JointProblem::robust_width;
+  double cost = 0.0;
+  for (std::size_t i = 0; i < at.residuals.size(); ++i) {
+    if (at.joint.rows[i].kind != kind) continue;
+    const double square = at.residuals[i] * at.residuals[i];
+    cost += kind == Kind::other ? square : width * width * std::log1p(square / (width * width));
+  }
+  return cost;
+}
+
+// What the heights of the sheet's pixels take off the cost by luck.
+double luck_of_heights(const Linearised& at) {
+  std::map<int, std::pair<Eigen::Matrix4d, double>> pixels;  // information, and that of the prior
+  for (int row = 0; row < at.jacobian.num_rows; ++row) {
+    Eigen::Vector4d change = Eigen::Vector4d::Zero();
+    int pixel = -1;
+    for (int i = at.jacobian.rows[std::size_t(row)]; i < at.jacobian.rows[std::size_t(row) + 1];
+         ++i) {
+      const int column = at.jacobian.cols[std::size_t(i)] - at.size;
+      if (column < 0) continue;
+      pixel = column / 4;
+      change[column % 4] = at.jacobian.values[std::size_t(i)];
+    }
+    if (pixel < 0) continue;
+    auto& [all, before] = pixels.try_emplace(pixel, Eigen::Matrix4d::Zero(), 0.0).first->second;
+    all += change * change.transpose();
+    if (at.joint.rows[std::size_t(row)].kind == Kind::other) before += change[3] * change[3];
+  }
+  double luck = 0.0;
+  for (const auto& [pixel, information] : pixels) {
+    const auto& [all, before] = information;
+    const Eigen::Vector3d mixed = all.topRightCorner<3, 1>();
+    const double known = all(3, 3) - mixed.dot(all.topLeftCorner<3, 3>().ldlt().solve(mixed));
+    luck += std::log(std::max(1.0, known / before));
+  }
+  return luck;
+}
+
+}  // namespace
+
+double gain_of_nearness(JointState& distant, JointState& near, const Evidence& evidence) {
+  const Linearised without(distant, evidence, LampModel::distant);
+  const Linearised with(near, evidence, LampModel::near);
+  double gain = -luck_of_heights(with);
+  for (const Kind kind : {Kind::matte, Kind::chrome, Kind::sheet, Kind::other}) {
+    const bool hangs = kind == Kind::matte || kind == Kind::sheet;
+    const double factor = hangs ? design_effect(with.residuals, with.joint.rows, kind).factor : 1.0;
+    const double of_kind = (cost_of(without, kind) - cost_of(with, kind)) / factor;
+    if (hangs && of_kind < 0.0) return of_kind;
+    gain += of_kind;
+  }
+  return gain;
+}
+
+Eigen::MatrixXd arriving_covariance(JointState& state, const Evidence& evidence, LampModel model,
+                                    const Eigen::Vector3d& point) {
+  const Linearised at(state, evidence, model);
+  const auto& [joint, size, residuals, jacobian] = at;
   const DesignEffect effect = design_effect(residuals, joint.rows, Kind::matte);
   const double matte = 1.0 / effect.factor;
   const double sheet = 1.0 / design_effect(residuals, joint.rows, Kind::sheet).factor;

@@ -18,4 +18,15 @@ namespace hada {
 Eigen::MatrixXd arriving_covariance(JointState& state, const Evidence& evidence, LampModel model,
                                     const Eigen::Vector3d& point);
 
+/// By how much better near lamps explain the evidence than distant ones, in units of twice the
+/// logarithm of a likelihood, both states under the noise levels of `near`'s descent.
+///
+/// Residuals that hang together count as fewer than they are: what sheen, dust or clipped noise
+/// leave is no sign of a near lamp because some distance takes up a part of it. The heights of the
+/// sheet, which distant lamps do not see, take up noise by luck; the expected share,
+/// ln(1 + s^2) for each pixel whose height is known s times better than before, is taken off.
+/// Negative where the matte spheres or the sheet by themselves speak against near lamps: a lamp
+/// that is near is so for both.
+double gain_of_nearness(JointState& distant, JointState& near, const Evidence& evidence);
+
 }  // namespace hada

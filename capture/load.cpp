@@ -117,6 +117,10 @@ void subtract(Grid<float>& plane, const Grid<float>& minus) {
   for (std::size_t i = 0; i < plane.size(); ++i) plane[i] -= minus[i];
 }
 
+void subtract(Grid<float>& plane, float value) {
+  for (float& each : plane) each -= value;
+}
+
 // Divides by the flat field, scaled to a mean of 1 so that exposure keeps its meaning.
 void divide_by_flat(Grid<float>& plane, const Grid<float>& by) {
   double sum = 0.0;
@@ -175,7 +179,8 @@ Photographs load_photographs(const CaptureFile& file, const LoadOptions& options
 
 bool is_linearized(const Photographs& photographs) {
   const CaptureFile& file = photographs.file;
-  return photographs.linear && !file.dark && !file.ambient && !file.flat;
+  return photographs.linear && !file.dark && !file.ambient && !file.flat &&
+         photographs.ambient_light.isZero();
 }
 
 Photographs linearized(Photographs photographs) {
@@ -208,6 +213,7 @@ Photographs linearized(Photographs photographs) {
       if (!photographs.linear) decode_srgb(plane);
       if (background) subtract(plane, plane_for(c, *background));
       if (flat) divide_by_flat(plane, plane_for(c, *flat));
+      subtract(plane, float(photographs.ambient_light[c]));
       plane.let_go();
     }
   });
@@ -216,6 +222,7 @@ Photographs linearized(Photographs photographs) {
   photographs.file.dark.reset();
   photographs.file.ambient.reset();
   photographs.file.flat.reset();
+  photographs.ambient_light.setZero();
   return photographs;
 }
 
@@ -246,6 +253,7 @@ Photographs without_pictures(const Photographs& photographs) {
           .bits = photographs.bits,
           .linear = photographs.linear,
           .encoding_known = photographs.encoding_known,
+          .ambient_light = photographs.ambient_light,
           .remarks = photographs.remarks};
 }
 

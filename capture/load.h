@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/camera.h"
 #include "core/grid.h"
 #include "core/image.h"
@@ -25,6 +27,7 @@ struct Photographs {
   int bits = 8;                 // the smallest depth among the files
   bool linear = true;           // false: the values carry the sRGB curve
   bool encoding_known = true;   // false: `linear` is an assumption that a matte sphere may correct
+  Eigen::Vector3d ambient_light{0.0, 0.0, 0.0};  // what every linear picture shows without a lamp
   std::vector<std::string> remarks;
 };
 
@@ -40,7 +43,7 @@ struct LoadOptions {
 Photographs load_photographs(const CaptureFile& file, const LoadOptions& options = {});
 
 /// The same photographs with linear values: sRGB curve undone where it was on, then dark and
-/// ambient taken off and the flat field divided out.
+/// ambient taken off, the flat field divided out, and what `ambient_light` says taken off as well.
 Photographs linearized(Photographs photographs);
 
 /// Whether `linearized` would change no value.

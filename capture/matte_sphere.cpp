@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Dense>
 
@@ -52,18 +53,24 @@ std::vector<DiscPoint> disc_points(const Grid<float>& grey, const Mask& saturate
   return points;
 }
 
-// The ambient light is what the side shows that the light does not reach; where all is lit, none.
-//
-// Left free, it would be bent by whatever is not Lambertian on the lit side: without this the
-// lights of a slightly glossy sphere were off by up to 9 degrees.
-double ambient_of(const Eigen::Vector3d& b, const std::vector<DiscPoint>& points) {
+// What the side shows that the light does not reach, if there is enough of it.
+std::optional<double> dark_side(const Eigen::Vector3d& b, const std::vector<DiscPoint>& points) {
   std::vector<double> dark;
   const double turned_away = -0.1 * b.norm();
   for (const DiscPoint& point : points) {
     if (point.normal.dot(b) < turned_away) dark.push_back(point.value);
   }
   constexpr std::size_t enough = 30;
-  return dark.size() < enough ? 0.0 : std::max(0.0, median(std::move(dark)));
+  if (dark.size() < enough) return std::nullopt;
+  return median(std::move(dark));
+}
+
+// The ambient light is what the dark side shows; where all is lit, none.
+//
+// Left free, it would be bent by whatever is not Lambertian on the lit side: without this the
+// lights of a slightly glossy sphere were off by up to 9 degrees.
+double ambient_of(const Eigen::Vector3d& b, const std::vector<DiscPoint>& points) {
+  return std::max(0.0, dark_side(b, points).value_or(0.0));
 }
 
 // One weighted step on the clipped cosine; Tukey's weights at a width of `width` (infinite: none).
@@ -164,6 +171,7 @@ SphereReading read_matte_sphere(const Photographs& linear, const Sphere& sphere)
   reading.lights.resize(count);
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   reading.highlights_px.assign(count, {nowhere, nowhere});
+  reading.dark.assign(count, Eigen::Vector3d::Constant(nowhere));
   std::vector<double> misfits(count);
   for_each_index(int(count), [&](int picture) {
     const auto k = std::size_t(picture);
@@ -187,10 +195,12 @@ SphereReading read_matte_sphere(const Photographs& linear, const Sphere& sphere)
                                       not_lambertian * not_lambertian);
     for (int c = 0; c < 3; ++c) {
       const auto& plane = image.planes[std::size_t(std::min(c, image.channels() - 1))];
-      light.strength[c] =
+      const MatteShading of_channel =
           image.channels() == 1
-              ? shading.b.norm()
-              : matte_shading(plane, linear.saturated[k], linear.camera, sphere, rim).b.norm();
+              ? shading
+              : matte_shading(plane, linear.saturated[k], linear.camera, sphere, rim);
+      light.strength[c] = of_channel.b.norm();
+      if (dark_side(shading.b, points)) reading.dark[k][c] = of_channel.ambient;
     }
     const Eigen::Vector2d towards(light.direction.x(), -light.direction.y());
     reading.highlights_px[k] = sphere.center_px + sphere.radius_px * towards;

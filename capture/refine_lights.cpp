@@ -20,6 +20,14 @@ double nearness(const JointState& state, double half) {
   return median(std::move(all));
 }
 
+// Lamps of one rig stand about equally far; a model error that is taken for nearness puts some at
+// infinity. So no quarter of the lamps may be more than three times as far as the middle one.
+bool stand_together(const JointState& state) {
+  std::vector<double> all;
+  for (const LightState& light : state.lights) all.push_back(light.inverse_distance);
+  return quantile(all, 0.25) > median(all) / 3.0;
+}
+
 // Beyond a hundred times the half diagonal the direction changes by half a degree at most.
 constexpr double notable_nearness = 0.01;
 
@@ -40,11 +48,12 @@ Settled settled(const Evidence& all, JointState state, double half) {
   for (LightState& light : near.lights) light.inverse_distance = first_nearness / half;
   descend(near, all, LampModel::near, 1);
   // Under the same noise levels, distances must take off more than so many free numbers do by luck.
-  const double gain = 2.0 * (state.cost - near.cost);
-  const bool helps = gain > 3.0 * double(state.lights.size());
+  const bool helps = gain_of_nearness(state, near, all) > 3.0 * double(state.lights.size());
   if (!helps || nearness(near, half) < notable_nearness) return {state, LampModel::distant};
   descend(near, all, LampModel::near, 3);
-  if (nearness(near, half) < notable_nearness) return {state, LampModel::distant};
+  if (nearness(near, half) < notable_nearness || !stand_together(near)) {
+    return {state, LampModel::distant};
+  }
   return {near, LampModel::near};
 }
 
@@ -79,15 +88,18 @@ double direction_sigma(const Eigen::Matrix3d& covariance, const Eigen::Vector3d&
 }  // namespace
 
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
-                             const std::vector<Light>& lights) {
+                             const std::vector<Light>& lights, double ambient) {
   const Evidence all = evidence(linear, readings);
   const Extent& extent = linear.camera.extent;
   const double half = 0.5 * std::hypot(extent.width(), extent.height());
-  auto [state, model] = settled(all, first_state(all, readings, lights, linear.camera), half);
+  JointState first = first_state(all, readings, lights, linear.camera);
+  first.sheet_ambient_sigma = 0.5 * ambient;
+  auto [state, model] = settled(all, std::move(first), half);
   const Eigen::MatrixXd covariance = arriving_covariance(state, all, model, all.sheet.center);
   RefinedLights refined;
   refined.near = model == LampModel::near;
   refined.strengths_measured = !all.matte.empty() || !all.sheet.points.empty();
+  refined.sheet_ambient = state.sheet_ambient;
   refined.lights = lights;
   double mean = 0.0;
   for (const LightState& light : state.lights) {

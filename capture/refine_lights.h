@@ -15,6 +15,7 @@ struct RefinedLights {
   double disagreement = 0.0;             // mean angle between what two spheres say, radians
   bool near = false;                     // whether the lamps have a position
   bool strengths_measured = true;        // false: neither a matte sphere nor a sample shows them
+  double sheet_ambient = 0.0;            // left on the sample, in grey
 };
 
 /// One least-squares problem over directions, strengths and, for near lamps, distances; over place
@@ -27,7 +28,10 @@ struct RefinedLights {
 /// linear    the photographs, with linear values
 /// readings  each sphere by itself
 /// lights    the readings combined: where the descent starts; strengths in grey
+/// ambient   what was taken off all pictures, in grey: the sample may have shown half as much
+/// again,
+///           or half of it, for it is not as white as the sphere
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
-                             const std::vector<Light>& lights);
+                             const std::vector<Light>& lights, double ambient = 0.0);
 
 }  // namespace hada
