@@ -100,8 +100,14 @@ LitCapture lit_capture(Photographs photographs,
   terminal.step("finding the sample");
   lit.photographs = without_pictures(photographs);
   lit.stack = light_stack(std::move(photographs), lit.lights.lights, lit.spheres);
-  if (!lit.lights.strengths_measured) balance_strengths(lit.stack);
+  const bool known_strengths = lit.lights.strengths_measured || balance_strengths(lit.stack);
   lit.lights.errors = rescaled(lit.lights.errors, lit.lights.lights, lit.stack.lights);
+  if (!known_strengths) {
+    for (auto& mode : unknown_strengths(lit.stack.lights)) lit.lights.errors.push_back(mode);
+    lit.remarks.push_back(
+        "The strengths of the lights are not known and were taken as equal, give or take a fifth; "
+        "add a matte sphere, or pictures until there are five and more.");
+  }
   lit.lights.lights = lit.stack.lights;
   lit.stack.light_errors = lit.lights.errors;
   add(lit.remarks, lit.photographs.remarks);

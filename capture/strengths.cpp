@@ -43,10 +43,10 @@ Eigen::VectorXd best_fitting(const Eigen::MatrixXd& values, const Eigen::MatrixX
 
 }  // namespace
 
-void balance_strengths(LightStack& stack) {
+bool balance_strengths(LightStack& stack) {
   const auto lights = Eigen::Index(stack.lights.size());
   const Eigen::MatrixXd values = lit_values(stack);
-  if (lights < 5 || values.rows() < 100) return;
+  if (lights < 5 || values.rows() < 100) return false;
   Eigen::MatrixX3d directions(lights, 3);
   for (Eigen::Index k = 0; k < lights; ++k) {
     directions.row(k) = stack.lights[std::size_t(k)].direction.transpose();
@@ -68,8 +68,19 @@ void balance_strengths(LightStack& stack) {
     strength *= double(lights) / strength.sum();
     if ((strength - before).cwiseAbs().maxCoeff() < 1e-6) break;
   }
-  if (!strength.allFinite() || strength.minCoeff() <= 0.0) return;
+  if (!strength.allFinite() || strength.minCoeff() <= 0.0) return false;
   for (Eigen::Index k = 0; k < lights; ++k) stack.lights[std::size_t(k)].strength *= strength[k];
+  return true;
+}
+
+std::vector<LightErrorMode> unknown_strengths(const std::vector<Light>& lights) {
+  constexpr double usual_spread = 0.2;  // of lamps that were meant to be alike
+  std::vector<LightErrorMode> modes;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    modes.emplace_back(lights.size(), Eigen::Vector3d::Zero());
+    modes.back()[k] = usual_spread * lights[k].strength.mean() * lights[k].direction;
+  }
+  return modes;
 }
 
 }  // namespace hada

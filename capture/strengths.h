@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/light_stack.h"
 
 namespace hada {
@@ -13,6 +15,11 @@ namespace hada {
 /// lights 1.
 ///
 /// Does nothing for fewer than five lights or fewer than 100 such pixels.
-void balance_strengths(LightStack& stack);
+///
+/// returns  whether the sample could tell
+bool balance_strengths(LightStack& stack);
+
+/// The error modes of lights whose strengths nobody knows: each by itself may be off by a fifth.
+std::vector<LightErrorMode> unknown_strengths(const std::vector<Light>& lights);
 
 }  // namespace hada

@@ -31,5 +31,16 @@ TEST(Strengths, AreLeftAloneWhereTheyAreRight) {
   }
 }
 
+TEST(UnknownStrengths, AreOffByAFifthEach) {
+  const auto lights = six_lights();
+  const auto modes = unknown_strengths(lights);
+  ASSERT_EQ(modes.size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t other = 0; other < 6; ++other) {
+      EXPECT_DOUBLE_EQ(modes[k][other].norm(), k == other ? 0.2 * lights[k].strength.mean() : 0.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hada
