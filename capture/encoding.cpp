@@ -60,7 +60,8 @@ double unexplained(const Photographs& linear, const std::vector<Light>& lights,
 double unexplained(const Photographs& photographs, const std::vector<Light>& lights,
                    bool as_linear) {
   const CaptureFile& file = photographs.file;
-  if (file.dark || file.ambient || file.flat) {  // they come between curve and brightness
+  if (file.dark || file.ambient || file.flat ||
+      has_vignetting(file)) {  // they come between curve and brightness
     Photographs read = copy_of(photographs);
     read.linear = as_linear;
     return unexplained(linearized(std::move(read)), lights, [](float value) { return value; });

@@ -1,6 +1,7 @@
 #include "capture/load.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -133,6 +134,21 @@ void divide_by_flat(Grid<float>& plane, const Grid<float>& by) {
   }
 }
 
+// Divides by what the lens leaves of the light, see `CaptureFile`.
+void undo_vignetting(Grid<float>& plane, const std::array<double, 3>& k) {
+  const double middle_row = 0.5 * (plane.rows() - 1), middle_col = 0.5 * (plane.cols() - 1);
+  const double corner =
+      0.25 * (double(plane.rows()) * plane.rows() + double(plane.cols()) * plane.cols());
+  for (int row = 0; row < plane.rows(); ++row) {
+    for (int col = 0; col < plane.cols(); ++col) {
+      const double down = row - middle_row, right = col - middle_col;
+      const double square = (down * down + right * right) / corner;
+      const double left = 1.0 + square * (k[0] + square * (k[1] + square * k[2]));
+      plane(row, col) = float(plane(row, col) / left);
+    }
+  }
+}
+
 }  // namespace
 
 Photographs load_photographs(const CaptureFile& file, const LoadOptions& options) {
@@ -177,9 +193,13 @@ Photographs load_photographs(const CaptureFile& file, const LoadOptions& options
   return photographs;
 }
 
+bool has_vignetting(const CaptureFile& file) {
+  return file.vignetting != std::array<double, 3>{};
+}
+
 bool is_linearized(const Photographs& photographs) {
   const CaptureFile& file = photographs.file;
-  return photographs.linear && !file.dark && !file.ambient && !file.flat &&
+  return photographs.linear && !file.dark && !file.ambient && !file.flat && !has_vignetting(file) &&
          photographs.ambient_light.isZero();
 }
 
@@ -213,6 +233,7 @@ Photographs linearized(Photographs photographs) {
       if (!photographs.linear) decode_srgb(plane);
       if (background) subtract(plane, plane_for(c, *background));
       if (flat) divide_by_flat(plane, plane_for(c, *flat));
+      if (has_vignetting(file)) undo_vignetting(plane, file.vignetting);
       subtract(plane, float(photographs.ambient_light[c]));
       plane.let_go();
     }
@@ -222,6 +243,7 @@ Photographs linearized(Photographs photographs) {
   photographs.file.dark.reset();
   photographs.file.ambient.reset();
   photographs.file.flat.reset();
+  photographs.file.vignetting = {};
   photographs.ambient_light.setZero();
   return photographs;
 }

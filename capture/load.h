@@ -42,9 +42,12 @@ struct LoadOptions {
 ///         finite, and pictures that are all black or all white
 Photographs load_photographs(const CaptureFile& file, const LoadOptions& options = {});
 
-/// The same photographs with linear values: sRGB curve undone where it was on, then dark and
-/// ambient taken off, the flat field divided out, and what `ambient_light` says taken off as well.
+/// The same photographs with linear values: sRGB curve undone where it was on, dark, ambient and
+/// `ambient_light` taken off, the flat field and what the lens leaves of the light divided out.
 Photographs linearized(Photographs photographs);
+
+/// Whether the owner said how the lens darkens the corners.
+bool has_vignetting(const CaptureFile& file);
 
 /// Whether `linearized` would change no value.
 bool is_linearized(const Photographs& photographs);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <Eigen/Dense>
 
@@ -38,8 +39,10 @@ struct Settled {
 
 // Distant lamps first; then the distances are let go, and kept where they matter.
 // half  half of the picture's diagonal
-Settled settled(const Evidence& all, JointState state, double half) {
+// said  auto, distant or near: what the owner knows
+Settled settled(const Evidence& all, JointState state, double half, const std::string& said) {
   descend(state, all, LampModel::distant, 3);
+  if (said == "distant") return {state, LampModel::distant};
   // One sphere by itself sees every light from one place: how far it is, only a second one or a
   // sample beside it can tell.
   if (state.spheres.size() < 2 && state.sheet.empty()) return {state, LampModel::distant};
@@ -48,9 +51,11 @@ Settled settled(const Evidence& all, JointState state, double half) {
   for (LightState& light : near.lights) light.inverse_distance = first_nearness / half;
   descend(near, all, LampModel::near, 1);
   // Under the same noise levels, distances must take off more than so many free numbers do by luck.
-  const bool helps = gain_of_nearness(state, near, all) > 3.0 * double(state.lights.size());
+  const bool helps =
+      said == "near" || gain_of_nearness(state, near, all) > 3.0 * double(state.lights.size());
   if (!helps || nearness(near, half) < notable_nearness) return {state, LampModel::distant};
   descend(near, all, LampModel::near, 3);
+  if (said == "near") return {near, LampModel::near};
   if (nearness(near, half) < notable_nearness || !stand_together(near)) {
     return {state, LampModel::distant};
   }
@@ -94,7 +99,7 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
   const double half = 0.5 * std::hypot(extent.width(), extent.height());
   JointState first = first_state(all, readings, lights, linear.camera);
   first.sheet_ambient_sigma = 0.5 * ambient;
-  auto [state, model] = settled(all, std::move(first), half);
+  auto [state, model] = settled(all, std::move(first), half, linear.file.lamps);
   const Eigen::MatrixXd covariance = arriving_covariance(state, all, model, all.sheet.center);
   RefinedLights refined;
   refined.near = model == LampModel::near;

@@ -23,14 +23,13 @@ struct RefinedLights {
 /// that the sample throws at them; and over albedo and normal of some pixels of the sample.
 ///
 /// Lamps are taken to be near where the evidence puts them nearer than a hundred times half the
-/// picture's diagonal, all together.
+/// picture's diagonal, all together; or as the owner of the pictures says (`CaptureFile::lamps`).
 ///
 /// linear    the photographs, with linear values
 /// readings  each sphere by itself
 /// lights    the readings combined: where the descent starts; strengths in grey
 /// ambient   what was taken off all pictures, in grey: the sample may have shown half as much
-/// again,
-///           or half of it, for it is not as white as the sphere
+///           again, or half of it, for it is not as white as the sphere
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
                              const std::vector<Light>& lights, double ambient = 0.0);
 

@@ -81,6 +81,19 @@ CaptureFile::CameraHint camera_from(JsonObject object) {
   return camera;
 }
 
+std::array<double, 3> vignetting_from(JsonObject& object) {
+  const auto k = object.numbers("vignetting", 3);
+  constexpr double least_light = 0.05;
+  for (int percent = 0; percent <= 100; ++percent) {
+    const double square = 1e-4 * percent * percent;
+    const double left = 1.0 + square * (k[0] + square * (k[1] + square * k[2]));
+    if (!(left >= least_light && left <= 1.0 / least_light)) {
+      object.fail("vignetting", "must leave between 0.05 and 20 times the light everywhere");
+    }
+  }
+  return {k[0], k[1], k[2]};
+}
+
 // What the manifest says; it may leave the pictures to the folder.
 CaptureFile read_manifest(const fs::path& manifest) {
   const Json json = read_json(manifest, "capture/1");
@@ -120,6 +133,11 @@ CaptureFile read_manifest(const fs::path& manifest) {
   capture.flat = file("flat");
   capture.dark = file("dark");
   if (object.has("camera")) capture.camera = camera_from(object.object("camera"));
+  capture.lamps = object.text("lamps", "auto");
+  if (!std::set<std::string>{"auto", "distant", "near"}.contains(capture.lamps)) {
+    object.fail("lamps", "must be auto, distant or near");
+  }
+  if (object.has("vignetting")) capture.vignetting = vignetting_from(object);
   object.finish();
   return capture;
 }
@@ -211,6 +229,8 @@ std::string capture_text(const CaptureFile& capture) {
   add_file("flat", capture.flat);
   add_file("dark", capture.dark);
   if (capture.camera) json["camera"] = json_of_camera(*capture.camera);
+  if (capture.lamps != "auto") json["lamps"] = capture.lamps;
+  if (capture.vignetting != std::array<double, 3>{}) json["vignetting"] = capture.vignetting;
   return json.dump(2) + "\n";
 }
 

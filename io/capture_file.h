@@ -42,6 +42,10 @@ struct CaptureFile {
   std::optional<BoxPx> sample_box;
   std::optional<std::filesystem::path> mask, ambient, flat, dark;
   std::optional<CameraHint> camera;
+  std::string lamps = "auto";  // auto, distant or near
+  /// k of what the lens leaves of the light at r: 1 + k1 r^2 + k2 r^4 + k3 r^6, r the distance from
+  /// the middle of the picture over half its diagonal.
+  std::array<double, 3> vignetting{};
   std::vector<std::string> left_out;  // "notes.txt (not an image)": what was not used, and why
 };
 

@@ -96,6 +96,20 @@ TEST_F(Load, LinearizesBySubtractingAmbientAndDividingByTheFlatField) {
   EXPECT_NEAR(linear.images[0].planes[0](0, 29), 0.3f, 1e-4f);
 }
 
+TEST_F(Load, GivesCornersBackWhatTheLensTook) {
+  add("a.png", 0.5f);
+  file_.vignetting = {-0.25, 0.0, -0.05};
+  const Photographs loaded = load_photographs(file_);
+  EXPECT_FALSE(is_linearized(loaded));
+  const Photographs linear = linearized(loaded);
+  EXPECT_TRUE(is_linearized(linear));
+  // The middle of the corner pixel lies at 0.97 of the half diagonal of 20 x 30 pixels.
+  const double square = (9.5 * 9.5 + 14.5 * 14.5) / (10.0 * 10.0 + 15.0 * 15.0);
+  const double left = 1.0 - 0.25 * square - 0.05 * square * square * square;
+  EXPECT_NEAR(linear.images[0].planes[0](0, 0), 0.5 / left, 2e-5);
+  EXPECT_NEAR(linear.images[0].planes[0](10, 15), 0.5, 1e-3);
+}
+
 TEST_F(Load, AsksForTheFocalLengthOfAPerspectiveCamera) {
   add("a.png", 0.5f);
   file_.camera = CaptureFile::CameraHint{.perspective = true, .focal_px = {}, .distance_mm = 900.0};

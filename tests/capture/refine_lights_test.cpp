@@ -1,5 +1,7 @@
 #include "capture/refine_lights.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "capture/calibrate.h"
@@ -43,6 +45,23 @@ TEST(RefinedLights, FindsWhereNearLampsStand) {
     const Eigen::Vector3d from_sheet = truth - Eigen::Vector3d(12.0, 0.0, 0.0);
     EXPECT_LT(angle_deg(found.lights[k].direction, from_sheet), 0.3);
   }
+}
+
+TEST(RefinedLights, AreAsNearAsTheOwnerSays) {
+  const auto any_near = [](Photographs photographs, const char* said) {
+    photographs.file.lamps = said;
+    const Calibration found = calibrate(photographs);
+    return std::any_of(found.lights.begin(), found.lights.end(),
+                       [](const Light& light) { return light.position.has_value(); });
+  };
+  auto near = table_rig({matte_at(-18.0, 0.0, 12.0)});
+  for (Light& light : near.lights) light.position = 150.0 * light.direction;
+  EXPECT_FALSE(any_near(photographs_of(photograph(waved_sheet(24.0), near)), "distant"));
+  // Over a flat sheet luck alone speaks for near lamps; nobody's word would be asked.
+  Surface flat = waved_sheet(24.0);
+  for (float& height : flat.height) height *= 0.01f;
+  const auto rig = table_rig({chrome_at(-18.0, 0.0, 12.0)});
+  EXPECT_TRUE(any_near(photographs_of(photograph(flat, rig)), "near"));
 }
 
 TEST(RefinedLights, KnowsStrengthsWithoutAMatteSphere) {

@@ -52,7 +52,7 @@ TEST(CaptureFile, ReadsEveryKeyOfTheManifest) {
     "images": ["b.png", {"file": "a.png", "light": [0, 0, 2], "strength": [1, 2, 3]}],
     "encoding": "srgb", "pitch_mm": 0.26, "sample_box_px": [1, 2, 3, 4],
     "spheres": [{"kind": "auto", "box_px": [5, 6, 7, 8], "diameter_mm": 38}, {"kind": "chrome"}],
-    "mask": "mask.png", "dark": "c.png",
+    "mask": "mask.png", "dark": "c.png", "lamps": "near", "vignetting": [-0.2, 0.1, 0],
     "camera": {"model": "perspective", "focal_px": 3000, "distance_mm": 900})");
   const auto capture = read_capture_file(folder.path());
   ASSERT_EQ(capture.pictures.size(), 2u);
@@ -72,6 +72,8 @@ TEST(CaptureFile, ReadsEveryKeyOfTheManifest) {
   EXPECT_TRUE(capture.camera->perspective);
   EXPECT_EQ(capture.camera->focal_px, 3000.0);
   EXPECT_EQ(capture.camera->distance_mm, 900.0);
+  EXPECT_EQ(capture.lamps, "near");
+  EXPECT_EQ(capture.vignetting, (std::array{-0.2, 0.1, 0.0}));
 }
 
 TEST(CaptureFile, NamesEveryFlawOfTheManifest) {
@@ -90,6 +92,10 @@ TEST(CaptureFile, NamesEveryFlawOfTheManifest) {
   EXPECT_THAT(error_of_manifest(R"(, "mask": "none.png")"), HasSubstr("\"none.png\""));
   EXPECT_THAT(error_of_manifest(R"(, "camera": {"model": "fish"})"),
               HasSubstr("capture.json: camera: \"model\""));
+  EXPECT_THAT(error_of_manifest(R"(, "lamps": "red")"), HasSubstr("auto, distant or near"));
+  EXPECT_THAT(error_of_manifest(R"(, "vignetting": [-0.2])"), HasSubstr("vignetting"));
+  EXPECT_THAT(error_of_manifest(R"(, "vignetting": [-1, 0, 0])"), HasSubstr("0.05"));
+  EXPECT_THAT(error_of_manifest(R"(, "vignetting": [1e300, 0, 0])"), HasSubstr("vignetting"));
   EXPECT_EQ(error_of_manifest(""), "");
 }
 
@@ -127,6 +133,8 @@ CaptureFile some_capture(const TemporaryFolder& folder, Seed seed) {
   capture.sample_box = box();
   if (draw() < 0.5) capture.mask = folder / "mask.png";
   if (draw() < 0.5) capture.camera = {draw() < 0.5, length(), length()};
+  if (draw() < 0.5) capture.lamps = "distant";
+  if (draw() < 0.5) capture.vignetting = {-0.3 * draw(), 0.1 * draw(), 0.0};
   return capture;
 }
 
@@ -152,6 +160,7 @@ RC_GTEST_PROP(CaptureFile, ReturnsFromItsTextWhatWasWritten, (std::uint64_t seed
   }
   RC_ASSERT(again.encoding == capture.encoding && again.pitch_mm == capture.pitch_mm);
   RC_ASSERT(again.sample_box == capture.sample_box && again.mask == capture.mask);
+  RC_ASSERT(again.lamps == capture.lamps && again.vignetting == capture.vignetting);
   RC_ASSERT(again.camera.has_value() == capture.camera.has_value());
   if (capture.camera) {
     RC_ASSERT(again.camera->perspective == capture.camera->perspective);
