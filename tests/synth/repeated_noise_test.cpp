@@ -6,6 +6,8 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
+#include "windowed.h"
+
 namespace hada {
 namespace {
 
@@ -53,14 +55,7 @@ TEST(RepeatedNoise, HasASpectrumThatIsTheTransformOfItsAutocovariance) {
 TEST(RepeatedNoise, IsMultipliedByItsWindow) {
   auto overlapping = ribs(2.0);  // a kernel longer than its period
   overlapping.period_mm = 0.4;
-  const auto covariance = autocovariance(overlapping);
-  const GaussianWindow window{0.06, -0.02, 0.1};
-  const auto narrow = narrowed(covariance, window);
-  for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {0.3, 0.1}, {-1.1, 0.7}, {2.0, -0.5}}) {
-    const double by =
-        std::exp(-(window.xx * dx * dx + 2.0 * window.xy * dx * dy + window.yy * dy * dy));
-    EXPECT_NEAR(value_at(narrow, dx, dy), by * value_at(covariance, dx, dy), 1e-14);
-  }
+  expect_multiplied_by_window(autocovariance(overlapping));
 }
 
 TEST(RepeatedNoise, IsFainterFromPeriodToPeriod) {
