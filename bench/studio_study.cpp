@@ -140,7 +140,7 @@ DragFigures study_drag(const std::filesystem::path& folds) {
 }
 
 PreviewFigures study_previews() {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const RunningStudio studio(scratch.path());
   const auto seconds = [&](const Json& request) {
     const std::string text = post_text(studio, "api/material/preview", request.dump());
@@ -178,7 +178,7 @@ PreviewFigures study_previews() {
 
 HostileFigures study_hostile() {
   namespace fs = std::filesystem;
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string log = R"({"hada": "fold_log/1", "steps": []})";
   put(scratch / "folder/boat.json", log);
   put(scratch / "folder/.hidden.json", log);
@@ -196,7 +196,7 @@ HostileFigures study_hostile() {
 }
 
 double seconds_to_page(const std::filesystem::path& program) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string command = "'" + program.string() + "' studio --no-browser --json '" +
                               scratch.path().string() + "' & echo $!; wait";
   const auto start = Clock::now();

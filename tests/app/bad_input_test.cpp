@@ -28,7 +28,7 @@ class BadInput : public ::testing::Test {
     return capture / ("light_0" + std::to_string(number) + ".png");
   }
 
-  Scratch scratch;
+  TemporaryFolder scratch;
   fs::path capture = scratch / "capture";
 };
 
@@ -136,7 +136,7 @@ TEST_F(BadInput, UnwritableOutputIsSaid) {
   const fs::path out = scratch / "file" / "deeper";
   expect_refusal("reconstruct " + capture.string(), out);
   expect_refusal("run " + capture.string(), out);
-  EXPECT_EQ(text_of(scratch / "file"), "in the way");
+  EXPECT_EQ(bytes_of(scratch / "file"), "in the way");
 }
 
 TEST_F(BadInput, UnknownMaterialIsSaidWithTheKnownOnes) {

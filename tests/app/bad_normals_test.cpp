@@ -26,7 +26,7 @@ class BadNormals : public ::testing::Test {
     expect_refusal("integrate " + words, scratch / "out");
   }
 
-  Scratch scratch;
+  TemporaryFolder scratch;
 };
 
 TEST_F(BadNormals, GoodOnesBecomeASurface) {
@@ -101,7 +101,7 @@ TEST_F(BadNormals, MapsOnTheDiskGiveTheSameBytes) {
   }
   for (const auto& entry : fs::directory_iterator(scratch / "ram")) {
     const auto name = entry.path().filename();
-    EXPECT_EQ(text_of(entry.path()), text_of(scratch / "disk" / name)) << name;
+    EXPECT_EQ(bytes_of(entry.path()), bytes_of(scratch / "disk" / name)) << name;
   }
   expect_refused(file("large.exr") + " --memory disk --jumps allowed");
 }
@@ -121,7 +121,7 @@ TEST_F(BadNormals, HeightsKnownBeforeTakeTheLongWaves) {
   const Grid<float> height = read_image(scratch / "known" / "height.exr").image.planes[0];
   // Beyond the middles of the outermost pixels of the prior nothing more is known of it.
   EXPECT_NEAR(height(5, 24) - height(5, 5), -1.5f * 1.9f, 0.05f);
-  const std::string description = text_of(scratch / "known" / "surface.json");
+  const std::string description = bytes_of(scratch / "known" / "surface.json");
   EXPECT_NE(description.find("\"levelling\": \"prior\""), std::string::npos);
   EXPECT_NE(description.find("\"levelling_cutoff\": 1"), std::string::npos);
   EXPECT_EQ(answer("measure " + file("known")).code, 0);

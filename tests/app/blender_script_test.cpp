@@ -35,7 +35,7 @@ TEST(BlenderScript, ListsANodeInEachRow) {
 }
 
 TEST(BlenderScript, IsForWoodOnly) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   MaterialFile knit;
   knit.material = material_named("knit");
   put(scratch / "knit.json", material_text(knit));
@@ -48,7 +48,7 @@ TEST(BlenderScript, IsForWoodOnly) {
 TEST(BlenderScript, DrawsTheCutThatHadaMakes) {
   if (std::system("blender --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "blender is not installed";
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "wood.json", slanted());
   const std::string out = (scratch / "out").string();
   const auto said = answer("synth " + (scratch / "wood.json").string() +

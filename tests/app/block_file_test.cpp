@@ -1,42 +1,33 @@
 #include "app/block_file.h"
 
-#include <fstream>
-
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "io/image_file.h"
+#include "tests/io/temporary_folder.h"
 
 namespace hada {
 namespace {
 
-/// A folder with a picture, and a block file that says `text`.
-std::filesystem::path block_that_says(const std::string& text) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "hada_block_file";
-  std::filesystem::create_directories(folder);
+/// What is read of a block file that says `text`, in a folder with a picture.
+BlockFile read_text(const std::string& text) {
+  const TemporaryFolder folder;
   Image picture(20, 30, 3);
   for (auto& plane : picture.planes) std::fill(plane.begin(), plane.end(), 0.5f);
   write_integer_image(folder / "end.png", picture, 8);
-  std::ofstream(folder / "block.json") << text;
-  return folder / "block.json";
+  put(folder / "block.json", text);
+  return read_block(folder / "block.json");
 }
 
-/// What is said of a file that cannot be read.
 std::string complaint(const std::string& text) {
-  try {
-    read_block(block_that_says(text));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { read_text(text); });
 }
 
 TEST(BlockFile, PlacesFacesAndCuts) {
-  const auto block = read_block(block_that_says(R"({"hada": "block/1",
+  const auto block = read_text(R"({"hada": "block/1",
     "faces": [{"picture": "end.png", "pitch_mm": 0.1},
               {"name": "side", "picture": "end.png", "pitch_mm": 0.2, "origin_mm": [5, 0, 0],
                "right": [0, 2, 0], "up": [0, 0, 1]}],
-    "cuts": [{"name": "slanted", "size_px": [64, 32], "pitch_mm": 0.5}]})"));
+    "cuts": [{"name": "slanted", "size_px": [64, 32], "pitch_mm": 0.5}]})");
   ASSERT_EQ(block.faces.size(), 2u);
   EXPECT_EQ(block.faces[0].name, "end");
   EXPECT_EQ(block.faces[0].cut.towards_eye(), (StemVector{0.0, 0.0, 1.0}));

@@ -16,7 +16,7 @@ std::string vertex_pattern(const std::string& end) {
 }
 
 TEST(Fold, ChecksFoldsAndCounts) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "cross.cp", vertex_pattern("0 -1"));
   const std::string pattern = (scratch / "cross.cp").string();
   EXPECT_THAT(answer("fold check " + pattern).out, HasSubstr("folds flat: every vertex does"));
@@ -24,17 +24,17 @@ TEST(Fold, ChecksFoldsAndCounts) {
   EXPECT_THAT(answer("fold states " + pattern + " --json").out, HasSubstr("\"states\": 1"));
   const std::string flat = (scratch / "flat.fold").string();
   EXPECT_EQ(answer("fold flat " + pattern + " -o " + flat).code, 0);
-  EXPECT_THAT(text_of(flat), HasSubstr("faceOrders"));
-  EXPECT_THAT(text_of(flat), HasSubstr("faces_vertices"));
+  EXPECT_THAT(bytes_of(flat), HasSubstr("faceOrders"));
+  EXPECT_THAT(bytes_of(flat), HasSubstr("faces_vertices"));
   EXPECT_EQ(answer("fold convert " + flat + " -o " + (scratch / "a.obj").string()).code, 0);
-  EXPECT_THAT(text_of(scratch / "a.obj"), HasSubstr("v "));
+  EXPECT_THAT(bytes_of(scratch / "a.obj"), HasSubstr("v "));
   const std::string shape = (scratch / "shape.fold").string();
   EXPECT_EQ(answer("fold simulate " + pattern + " --percent 40 -o " + shape).code, 0);
-  EXPECT_THAT(text_of(shape), HasSubstr("edges_foldAngle"));
+  EXPECT_THAT(bytes_of(shape), HasSubstr("edges_foldAngle"));
 }
 
 TEST(Fold, RefusesWhatDoesNotFoldFlat) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "bad.cp", vertex_pattern("0.3 -1"));
   const std::string pattern = (scratch / "bad.cp").string();
   EXPECT_THAT(answer("fold check " + pattern).out, HasSubstr("Kawasaki"));
@@ -45,7 +45,7 @@ TEST(Fold, RefusesWhatDoesNotFoldFlat) {
 }
 
 TEST(Fold, ReplaysTheShippedCraneToTheSameBytes) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string log = std::string(HADA_SOURCE_DIR) + "/data_synthetic/folds/crane.json";
   for (const char* name : {"one", "two"}) {
     const Answer said = answer("fold replay " + log + " -o " + (scratch / name).string());
@@ -53,13 +53,13 @@ TEST(Fold, ReplaysTheShippedCraneToTheSameBytes) {
     EXPECT_THAT(said.out, HasSubstr("0 pairs of faces pass through each other"));
   }
   for (const char* file : {"model.fold", "model.obj", "model.png"}) {
-    EXPECT_EQ(text_of(scratch / (std::string("one/") + file)),
-              text_of(scratch / (std::string("two/") + file)));
+    EXPECT_EQ(bytes_of(scratch / (std::string("one/") + file)),
+              bytes_of(scratch / (std::string("two/") + file)));
   }
 }
 
 TEST(Fold, ReplaysEveryShippedLogWithoutPaperThroughPaper) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::filesystem::path folder =
       std::filesystem::path(HADA_SOURCE_DIR) / "data_synthetic" / "folds";
   int logs = 0;
@@ -74,7 +74,7 @@ TEST(Fold, ReplaysEveryShippedLogWithoutPaperThroughPaper) {
 }
 
 TEST(Fold, MeasuresFoldersOfPicturesAndSaysWhatIsNone) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   std::filesystem::create_directories(scratch / "empty");
   const Answer none = answer("fold measure " + (scratch / "empty").string());
   EXPECT_EQ(none.code, 2);

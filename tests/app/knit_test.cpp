@@ -9,25 +9,25 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Knit, IsPulledAndItsCrossingsWritten) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string out = (scratch / "pulled").string();
   const Answer said = answer("knit pull --stretch 1.2 1.5 --along course -o " + out);
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("10 x 10 stitches pulled to 1.5 along the courses"));
-  EXPECT_THAT(text_of(scratch / "pulled/crossings.json"), HasSubstr("\"knit_crossings/1\""));
+  EXPECT_THAT(bytes_of(scratch / "pulled/crossings.json"), HasSubstr("\"knit_crossings/1\""));
   EXPECT_TRUE(std::filesystem::exists(scratch / "pulled/pulled.png"));
   // By the paper's steps: about a hundred.
   EXPECT_THAT(answer("knit pull --as-the-paper -o " + out).out, HasSubstr("after 109 steps"));
 }
 
 TEST(Knit, IsWornOnTheShippedLeg) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const Answer said =
       answer("knit wear --courses 24 --wales 20 --rows 120 --nylon-stiffness 0.01 -o " +
              (scratch / "worn").string());
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("0 yarns inside the body"));
-  EXPECT_THAT(text_of(scratch / "worn/worn.json"), HasSubstr("pressure_kPa"));
+  EXPECT_THAT(bytes_of(scratch / "worn/worn.json"), HasSubstr("pressure_kPa"));
   for (const char* name : {"worn.png", "near.png", "density.png", "pressure.png",
                            "transmittance.png", "yarns.glb", "points.csv"}) {
     EXPECT_TRUE(std::filesystem::exists(scratch / (std::string("worn/") + name))) << name;
@@ -35,18 +35,18 @@ TEST(Knit, IsWornOnTheShippedLeg) {
 }
 
 TEST(Knit, IsWornAsAStockingWithHeelAndToe) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const Answer said =
       answer("knit wear --shell stocking --courses 40 --wales 32 --rows 120 --turn 90 -o " +
              (scratch / "worn").string());
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("0 yarns inside the body"));
-  EXPECT_THAT(text_of(scratch / "worn/worn.json"), HasSubstr("\"shell\": \"stocking\""));
+  EXPECT_THAT(bytes_of(scratch / "worn/worn.json"), HasSubstr("\"shell\": \"stocking\""));
   EXPECT_TRUE(std::filesystem::exists(scratch / "worn/density.png"));
 }
 
 TEST(Knit, IsCalibratedFromItsCrossings) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string out = (scratch / "pulled").string();
   EXPECT_EQ(answer("knit pull --stretch 1.2 1.5 --clamp three-points --noise 0.02 -o " + out).code,
             0);
@@ -54,11 +54,11 @@ TEST(Knit, IsCalibratedFromItsCrossings) {
                              (scratch / "k.json").string());
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("\"nylon_N_per_mm\""));
-  EXPECT_THAT(text_of(scratch / "k.json"), HasSubstr("\"stiffness_ratio\""));
+  EXPECT_THAT(bytes_of(scratch / "k.json"), HasSubstr("\"stiffness_ratio\""));
 }
 
 TEST(Knit, RefusesWhatItCannotDoInOneSentence) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "flat.obj", "v 0 0 0\nv 0 9 0\nv 9 0 0\nv 9 9 0\nf 1 2 3\nf 2 4 3\n");
   const std::string flat = (scratch / "flat.obj").string();
   put(scratch / "short.json",

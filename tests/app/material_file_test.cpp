@@ -25,7 +25,7 @@ MaterialFile fitted() {
 }
 
 TEST(MaterialFile, ReadsWhatItWrote) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "m.json", material_text(fitted()));
   const MaterialFile read = read_material(scratch / "m.json");
   EXPECT_EQ(values_of(read.material), values_of(fitted().material));
@@ -82,7 +82,7 @@ TEST(MaterialFile, TakesNoDamagedRecordOfAFit) {
 }
 
 TEST(MaterialFile, NeedsNothingButTheMaterial) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "m.json", R"({"hada": "material/1", "material": "wrinkle", "parameters":
     {"components": [{"amplitude_mm": 0.1, "long_mm": 3, "short_mm": 1, "angle_rad": 0.5}],
      "floor_mm4": 0}})");

@@ -17,7 +17,7 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file()) {
-      files[fs::relative(entry.path(), folder).string()] = text_of(entry.path());
+      files[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
     }
   }
   return files;
@@ -27,7 +27,7 @@ class Outputs : public ::testing::Test {
  protected:
   // One capture and one run serve every test; one component is fitted fastest.
   static void SetUpTestSuite() {
-    scratch_ = std::make_unique<Scratch>();
+    scratch_ = std::make_unique<TemporaryFolder>();
     ASSERT_EQ(make_capture(*scratch_ / "capture").code, 0);
     ASSERT_EQ(run_into("one", "--threads 1").code, 0);
   }
@@ -40,10 +40,10 @@ class Outputs : public ::testing::Test {
   }
 
  private:
-  static std::unique_ptr<Scratch> scratch_;
+  static std::unique_ptr<TemporaryFolder> scratch_;
 };
 
-std::unique_ptr<Scratch> Outputs::scratch_;
+std::unique_ptr<TemporaryFolder> Outputs::scratch_;
 
 TEST_F(Outputs, AreTheSameBytesWithOneAndWithTwoThreads) {
   const Answer said = run_into("two", "--threads 2 --quiet");
@@ -57,7 +57,7 @@ TEST_F(Outputs, AreTheSameBytesWithOneAndWithTwoThreads) {
 
 TEST_F(Outputs, OfOneCalibrationServeAnotherCommand) {
   ASSERT_EQ(answer("calibrate " + at("capture") + " -o " + at("once.json")).code, 0);
-  EXPECT_NE(text_of(path("once.json")).find("\"error_modes\""), std::string::npos);
+  EXPECT_NE(bytes_of(path("once.json")).find("\"error_modes\""), std::string::npos);
   const std::string words = "reconstruct " + at("capture") + " -o ";
   ASSERT_EQ(answer(words + at("itself")).code, 0);
   const Answer reused = answer(words + at("reused") + " --lights " + at("once.json"));
@@ -82,7 +82,7 @@ TEST_F(Outputs, OfACalibrationMayBeALightPositionFile) {
   const Answer said = answer("calibrate " + at("capture") + " -o " + at("dome.lp"));
   ASSERT_EQ(said.code, 0);
   EXPECT_NE(said.out.find("note: A .lp file holds directions only"), std::string::npos) << said.out;
-  EXPECT_EQ(text_of(path("dome.lp")).rfind("4\nlight_01.png 0.", 0), 0u);
+  EXPECT_EQ(bytes_of(path("dome.lp")).rfind("4\nlight_01.png 0.", 0), 0u);
   EXPECT_EQ(
       answer("reconstruct " + at("capture") + " --lights " + at("dome.lp") + " -o " + at("by_lp"))
           .code,
@@ -98,7 +98,7 @@ TEST_F(Outputs, OfTheWholePathAreTheOnesPromised) {
 }
 
 TEST_F(Outputs, ReportRefersToNothingOutsideItself) {
-  const std::string report = text_of(path("one") / "report.html");
+  const std::string report = bytes_of(path("one") / "report.html");
   for (const std::string outside : {"http:", "https:", "//cdn", "@import", "<script", "<link"}) {
     EXPECT_EQ(report.find(outside), std::string::npos) << outside;
   }

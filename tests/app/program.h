@@ -2,44 +2,13 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include <sys/wait.h>
 
+#include "tests/io/temporary_folder.h"
+
 namespace hada {
-
-/// A folder of its own for one test, removed with it.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hada-app-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-inline void put(const std::filesystem::path& path, const std::string& text) {
-  std::filesystem::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
-}
 
 struct Answer {
   int code = 0;
@@ -49,12 +18,12 @@ struct Answer {
 
 /// What the real program says to these words, run in a folder of its own.
 inline Answer answer(const std::string& words) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string command = std::string("'") + HADA_PROGRAM + "' " + words + " > '" +
                               (scratch / "out").string() + "' 2> '" + (scratch / "err").string() +
                               "'";
   const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), text_of(scratch / "out"), text_of(scratch / "err")};
+  return {WEXITSTATUS(status), bytes_of(scratch / "out"), bytes_of(scratch / "err")};
 }
 
 /// A recipe that is photographed in a tenth of a second: a sheet and one matte sphere, four lights.
@@ -78,7 +47,7 @@ inline std::string small_recipe(double sphere_x_mm = 45.0) {
 
 /// Photographs the small recipe into `folder`.
 inline Answer make_capture(const std::filesystem::path& folder) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "small.json", small_recipe());
   return answer("photograph " + (scratch / "small.json").string() + " -o " + folder.string());
 }

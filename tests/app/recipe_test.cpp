@@ -1,19 +1,15 @@
 #include "app/recipe.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "tests/io/temporary_folder.h"
 
 namespace hada {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -33,17 +29,9 @@ const char* const complete = R"({
 
 // Reads `text` as a recipe, from a file of its own.
 Recipe read_text(const std::string& text) {
-  const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const fs::path path = fs::temp_directory_path() / ("hada_recipe_" + name + ".json");
-  std::ofstream(path) << text;
-  try {
-    const Recipe recipe = read_recipe(path);
-    fs::remove(path);
-    return recipe;
-  } catch (...) {
-    fs::remove(path);
-    throw;
-  }
+  const TemporaryFolder folder;
+  put(folder / "recipe.json", text);
+  return read_recipe(folder / "recipe.json");
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -51,12 +39,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string complaint(const std::string& text) {
-  try {
-    read_text(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { read_text(text); });
 }
 
 TEST(Recipe, SaysEverythingThatItsFileSays) {

@@ -14,12 +14,12 @@ const std::string steel = R"({"hada": "material/1", "material": "forged", "param
   "unit": "px", "seed": 4, "input": {"path": "", "hash": "", "pitch": 1.0, "size_px": [64, 96]}})";
 
 TEST(Blade, IsMetalAsSmoothAsThePaperHasIt) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "steel.json", steel);
   const auto made = answer("blade '" + (scratch / "steel.json").string() + "' --texture 256 -o '" +
                            (scratch / "out").string() + "'");
   EXPECT_EQ(made.code, 0) << made.err;
-  const Json gltf = Json::parse(text_of(scratch / "out" / "blade.gltf"));
+  const Json gltf = Json::parse(bytes_of(scratch / "out" / "blade.gltf"));
   const Json& metal = gltf.at("materials").at(0).at("pbrMetallicRoughness");
   // 1 is what glTF leaves out.
   EXPECT_EQ(metal.value("metallicFactor", 1.0), 1.0);
@@ -32,7 +32,7 @@ TEST(Blade, IsMetalAsSmoothAsThePaperHasIt) {
 }
 
 TEST(Blade, IsRougherWhereItIsHardened) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "steel.json", steel);
   const auto made = answer("blade '" + (scratch / "steel.json").string() +
                            "' --texture 256 --hamon 0.4 -o '" + (scratch / "out").string() + "'");
@@ -44,7 +44,7 @@ TEST(Blade, IsRougherWhereItIsHardened) {
 }
 
 TEST(Blade, IsMadeOfForgedSteelAlone) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "paper.json", R"({"hada": "material/1", "material": "wrinkle", "parameters": {
     "components": [{"amplitude_mm": 0.3, "long_mm": 6.0, "short_mm": 3.0, "angle_rad": 0.4}],
     "floor_mm4": 0.0}})");
@@ -56,7 +56,7 @@ TEST(Blade, IsMadeOfForgedSteelAlone) {
 }
 
 TEST(Contact, PutsPicturesSideBySide) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "steel.json", steel);
   const std::string file = "'" + (scratch / "steel.json").string() + "' ";
   const auto made = answer("contact " + file + file + file + "--columns 2 --width 64 -o '" +
@@ -79,7 +79,7 @@ TEST(Contact, PutsPicturesSideBySide) {
 }
 
 TEST(Contact, WritesNothingIfAFileIsMissing) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const auto made = answer("contact '" + (scratch / "missing.json").string() + "' -o '" +
                            (scratch / "sheet.png").string() + "'");
   EXPECT_EQ(made.code, 2);

@@ -6,23 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "io/image_file.h"
+#include "tests/io/temporary_folder.h"
 
 namespace hada {
 namespace {
 
-// A folder of its own that goes away with the test.
 class Load : public ::testing::Test {
  protected:
-  Load() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() / (std::string("hada_load_") + test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    file_.folder = folder_;
-  }
-  ~Load() override { std::filesystem::remove_all(folder_); }
+  Load() { file_.folder = folder_.path(); }
 
   std::filesystem::path picture(const std::string& name, float value, int rows = 20,
                                 int cols = 30) {
@@ -33,15 +25,10 @@ class Load : public ::testing::Test {
     file_.pictures.push_back({picture(name, value, rows, cols), name, {}, {}});
   }
   std::string complaint() const {
-    try {
-      load_photographs(file_);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return error_of([&] { load_photographs(file_); });
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   CaptureFile file_;
 };
 

@@ -40,7 +40,7 @@ class Hostile : public testing::Test {
   std::string fair_get() const { return get_text(*studio_, "api/fold/state"); }
   std::string fair_post() const { return post_text(*studio_, "api/fold/new", "{}"); }
 
-  const Scratch scratch_;
+  const TemporaryFolder scratch_;
   std::unique_ptr<RunningStudio> studio_;
 };
 

@@ -49,7 +49,7 @@ TEST(Job, IsOneAtATimeAndCanBeCancelled) {
 }
 
 TEST(JobRequests, CalibrateReconstructAndLeaveNothingWhenCancelled) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   ASSERT_EQ(make_capture(scratch / "photos").code, 0);
   const RunningStudio studio(scratch.path());
   const auto state = [&] { return Json::parse(body_of(get(studio, "api/job/state"))); };

@@ -33,7 +33,7 @@ class SpectrumRequests : public testing::Test {
             {"parameters", json_of(wrinkle)},
             {"sigma", json_of(Wrinkle<>{.components = {{0.02, 0.2, 0.1, 0.05}}})}};
   }
-  const Scratch scratch_;
+  const TemporaryFolder scratch_;
   Surface surface_;
   RunningStudio studio_{scratch_.path()};
 };

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(SurfaceRequests, ListAndShowWhatLiesInTheFolderAlone) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   Surface surface;
   surface.extent = {8, 8, 0.5, Unit::mm};
   surface.mask = full_mask(surface.extent);
