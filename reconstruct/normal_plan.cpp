@@ -124,6 +124,14 @@ float possible_bounce(float coefficient, const Tile& tile) {
   return bright > 0.0 ? std::clamp(coefficient, 0.0f, float(1.0 / bright)) : 0.0f;
 }
 
+// Whether most of what the best coefficient explains is explained by one that an albedo can have.
+// Where the best lies far beyond all of them, or is less than none, something else is at work.
+bool is_bounce(float coefficient, const Tile& tile) {
+  if (coefficient <= 0.0f) return false;
+  const float share = possible_bounce(coefficient, tile) / coefficient;
+  return share * (2.0f - share) > 0.5f;  // of the misfit that the best takes away
+}
+
 double turn_by_bounce(Tile tile) {
   const auto normals_of = [](const Tile& t) {
     std::vector<Eigen::Vector3d> normals;
@@ -167,8 +175,7 @@ Told shared_terms(Tile& tile, SharedModel model) {
         return fit_shared_terms(tile, without).misfit - all_terms.misfit;
       };
       model.curve = model.curve && gain_of(&SharedModel::curve) > worthwhile;
-      // Less than none is no light either.
-      const bool told = model.bounce && all_terms.terms.bounce > 0.0f &&
+      const bool told = model.bounce && is_bounce(all_terms.terms.bounce, tile) &&
                         gain_of(&SharedModel::bounce) * all_terms.freedom > significant;
       if (model.bounce && !told) untold_bounce = turn_by_bounce(tile);
       model.bounce = told;

@@ -49,6 +49,33 @@ TEST(NormalPlan, TakesOffTheCurveOfAMaterial) {
   EXPECT_GT(found(0.6), found(0.2) + 0.5 * (curve(0.4) - curve(0.8)));
 }
 
+TEST(NormalPlan, TakesOffNoMoreLightBetweenFoldsThanAnAlbedoSends) {
+  // Light that no normal explains, and two stories of where it came from.
+  LightStack stack = noisy_pictures();
+  Bounce seen;
+  seen.rho = Grid<float>(48, 64, 0.6f);
+  for (std::size_t k = 0; k < stack.images.size(); ++k) {
+    seen.gathered.emplace_back(48, 64);
+    for (int row = 0; row < 48; ++row) {
+      for (int col = 0; col < 64; ++col) {
+        const float thrown =
+            0.05f * float(std::pow(std::sin(0.3 * row + 0.2 * col + double(k)), 2));
+        seen.gathered[k](row, col) = thrown;
+        stack.images[k].planes[0](row, col) += 0.5f * thrown;
+      }
+    }
+  }
+  const auto told = [&](float share) {
+    Bounce bounce = seen;
+    for (auto& grid : bounce.gathered) {
+      for (float& value : grid) value *= share;
+    }
+    return plan_normals(source_of(stack, {.bounce = &bounce}), Estimator::adaptive).terms.bounce;
+  };
+  EXPECT_GT(told(1.0f), 0.25f);  // shape and curve have their share of it
+  EXPECT_EQ(told(0.01f), 0.0f);  // it would take an albedo of 30
+}
+
 TEST(NormalPlan, OfLeastSquaresIsTheInverseOfTheLights) {
   const LightStack stack = noisy_pictures();
   const NormalPlan plan = planned(stack, Estimator::least_squares);
