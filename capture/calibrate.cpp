@@ -183,7 +183,8 @@ std::vector<SphereReading> read_spheres(const Photographs& linear,
 void take_ambient(const Photographs& linear, Calibration& calibration) {
   const auto& readings = calibration.readings;
   if (std::none_of(readings.begin(), readings.end(), shows_ambient)) return;
-  calibration.ambient_light = ambient_light(evidence(linear, readings), readings, linear.camera);
+  const auto all = evidence(linear, readings, colours(readings, linear.images.size()));
+  calibration.ambient_light = ambient_light(all, readings, linear.camera);
   if (calibration.ambient_light.isZero()) return;
   const auto matte = std::find_if(readings.begin(), readings.end(), [](const SphereReading& r) {
     return r.sphere.kind == SphereKind::matte;
@@ -231,13 +232,11 @@ Calibration calibrate(const Photographs& given) {
     calibration.lights.push_back(light);
   }
   const double ambient = grey_of(calibration.ambient_light);
-  const auto refined = refined_lights(linear, calibration.readings, calibration.lights, ambient);
-  if (ambient > 0.0) calibration.ambient_light *= 1.0 + refined.sheet_ambient / ambient;
   const auto colour = colours(calibration.readings, linear.images.size());
+  const auto refined =
+      refined_lights(linear, calibration.readings, calibration.lights, colour, ambient);
+  if (ambient > 0.0) calibration.ambient_light *= 1.0 + refined.sheet_ambient / ambient;
   calibration.lights = refined.lights;
-  for (std::size_t k = 0; k < colour.size(); ++k) {
-    calibration.lights[k].strength = calibration.lights[k].strength.cwiseProduct(colour[k]);
-  }
   for (std::size_t s = 0; s < calibration.readings.size(); ++s) {
     calibration.readings[s].lights = refined.seen[s];
   }

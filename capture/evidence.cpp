@@ -1,6 +1,7 @@
 #include "capture/evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,9 +20,14 @@ constexpr double rim = 0.95;  // of the radius: further out a pixel may be half 
 // Enough for errors far below those of the outlines; more would only cost time.
 constexpr double most_values = 7000.0;
 
-std::vector<Grid<float>> greys_of(const Photographs& linear) {
+std::vector<Grid<float>> greys_of(const Photographs& linear,
+                                  const std::vector<Eigen::Vector3d>& colours) {
   std::vector<Grid<float>> greys;
-  for (const Image& image : linear.images) greys.push_back(luminance(image));
+  for (std::size_t k = 0; k < linear.images.size(); ++k) {
+    std::array<float, 3> weight = luminance_weight;
+    for (std::size_t c = 0; c < 3; ++c) weight[c] /= float(colours[k][Eigen::Index(c)]);
+    greys.push_back(luminance(linear.images[k], weight));
+  }
   return greys;
 }
 
@@ -225,8 +231,9 @@ void check_strengths(const Photographs& linear, const std::vector<SphereReading>
 
 }  // namespace
 
-Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings) {
-  const auto greys = greys_of(linear);
+Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings,
+                  const std::vector<Eigen::Vector3d>& colours) {
+  const auto greys = greys_of(linear, colours);
   const double count = std::min(700.0, most_values / double(greys.size()));
   Evidence all;
   for (std::size_t which = 0; which < readings.size(); ++which) {

@@ -46,7 +46,10 @@ struct Evidence {
 
 /// linear    the photographs, with linear values
 /// readings  the spheres, each read by itself
+/// colours   of each light, the strength of each channel over that in grey; divided out, so that a
+///           coloured sample shows the same strengths as a grey sphere
 /// throws    Error if there is no sample, and the matte spheres leave a light's strength open
-Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings);
+Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings,
+                  const std::vector<Eigen::Vector3d>& colours);
 
 }  // namespace hada

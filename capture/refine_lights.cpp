@@ -93,8 +93,9 @@ double direction_sigma(const Eigen::Matrix3d& covariance, const Eigen::Vector3d&
 }  // namespace
 
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
-                             const std::vector<Light>& lights, double ambient) {
-  const Evidence all = evidence(linear, readings);
+                             const std::vector<Light>& lights,
+                             const std::vector<Eigen::Vector3d>& colours, double ambient) {
+  const Evidence all = evidence(linear, readings, colours);
   const Extent& extent = linear.camera.extent;
   const double half = 0.5 * std::hypot(extent.width(), extent.height());
   JointState first = first_state(all, readings, lights, linear.camera);
@@ -115,7 +116,7 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
     const LightState& found = state.lights[k];
     const Eigen::Vector3d arriving = arriving_at(found, all.sheet.center);
     light.direction = arriving.normalized();
-    light.strength.setConstant(std::exp(found.log_strength) / mean);
+    light.strength = std::exp(found.log_strength) / mean * colours[k];
     light.position.reset();
     constexpr double farthest = 1e-4;  // nearness of a lamp that might as well be at infinity
     if (refined.near && found.inverse_distance * half > farthest) {

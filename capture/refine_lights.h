@@ -28,9 +28,11 @@ struct RefinedLights {
 /// linear    the photographs, with linear values
 /// readings  each sphere by itself
 /// lights    the readings combined: where the descent starts; strengths in grey
+/// colours   of each light, as `evidence` takes them; part of the strengths that are returned
 /// ambient   what was taken off all pictures, in grey: the sample may have shown half as much
 ///           again, or half of it, for it is not as white as the sphere
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
-                             const std::vector<Light>& lights, double ambient = 0.0);
+                             const std::vector<Light>& lights,
+                             const std::vector<Eigen::Vector3d>& colours, double ambient = 0.0);
 
 }  // namespace hada

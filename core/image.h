@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -37,14 +38,15 @@ struct Image {
 };
 
 /// How much red, green and blue weigh in a grey value (Rec. ITU-R BT.709, linear light).
-inline constexpr float luminance_weight[3] = {0.2126f, 0.7152f, 0.0722f};
+inline constexpr std::array<float, 3> luminance_weight = {0.2126f, 0.7152f, 0.0722f};
 
-/// One grey plane: the luminance of a colour picture, or a copy of a grey one. It is kept where the
-/// picture is; on disk, neither stays in memory.
-Grid<float> luminance(const Image& image);
+/// One grey plane: the luminance of a colour picture, or its planes weighed otherwise; a copy of a
+/// grey one. It is kept where the picture is; on disk, neither stays in memory.
+Grid<float> luminance(const Image& image, const std::array<float, 3>& weight = luminance_weight);
 
 /// The same of one row.
-void luminance(const Image& image, int row, std::span<float> grey);
+void luminance(const Image& image, int row, std::span<float> grey,
+               const std::array<float, 3>& weight = luminance_weight);
 
 /// Calls `read(begin, end)` for one band of rows after the other, so low that a band of many large
 /// pictures takes little memory; after each, the caller lets go of it.

@@ -29,10 +29,12 @@ SphereReading reading_of(const Photographs& photographs, const TableSphere& sphe
   return reading;
 }
 
+const std::vector<Eigen::Vector3d> white_lights(6, Eigen::Vector3d::Ones());
+
 TEST(Evidence, HoldsSquaresOfTheMatteSphereAndOfTheSheet) {
   const auto ball = matte_at(-18.0, 0.0);
   const Photographs photographs = table_scene({ball});
-  const Evidence all = evidence(photographs, {reading_of(photographs, ball)});
+  const Evidence all = evidence(photographs, {reading_of(photographs, ball)}, white_lights);
   ASSERT_EQ(all.matte.size(), 1u);
   EXPECT_TRUE(all.chrome.empty());
   const MatteEvidence& seen = all.matte.front();
@@ -49,14 +51,14 @@ TEST(Evidence, HoldsSquaresOfTheMatteSphereAndOfTheSheet) {
 TEST(Evidence, DoesNotBelieveWhatIsSaturatedOrInTheShadow) {
   const auto ball = matte_at(-18.0, 0.0);
   Photographs photographs = table_scene({ball});
-  const Evidence before = evidence(photographs, {reading_of(photographs, ball)});
+  const Evidence before = evidence(photographs, {reading_of(photographs, ball)}, white_lights);
   std::fill(photographs.saturated[2].begin(), photographs.saturated[2].end(), 1);
   // The left third of the sheet lies in a shadow in one picture; another picture is dark all over.
   for (int row = 0; row < 200; ++row) {
     for (int col = 0; col < 190; ++col) photographs.images[4].planes[0](row, col) *= 0.01f;
   }
   for (float& value : photographs.images[1].planes[0]) value *= 0.1f;
-  const Evidence all = evidence(photographs, {reading_of(photographs, ball)});
+  const Evidence all = evidence(photographs, {reading_of(photographs, ball)}, white_lights);
   for (const double value : all.matte[0].values[2]) EXPECT_TRUE(std::isnan(value));
   ASSERT_FALSE(all.sheet.values.empty());
   for (std::size_t p = 0; p < all.sheet.values.size(); ++p) {
@@ -81,7 +83,7 @@ TEST(Evidence, OfABallAloneHasNoSheet) {
       photographs.mask(row, col) = (at - sphere.center_px).norm() < sphere.radius_px;
     }
   }
-  EXPECT_TRUE(evidence(photographs, {reading_of(photographs, ball)}).sheet.points.empty());
+  EXPECT_TRUE(evidence(photographs, {reading_of(photographs, ball)}, white_lights).sheet.points.empty());
 }
 
 }  // namespace

@@ -19,6 +19,12 @@ TEST(Luminance, LeavesWhiteWhite) {
   EXPECT_NEAR(luminance(white)(1, 1), 1.0, 2e-7);  // three weights, each rounded to 2^-24
 }
 
+TEST(Luminance, TakesOtherWeights) {
+  Image image(1, 1, 3);
+  for (int c = 0; c < 3; ++c) image.planes[std::size_t(c)](0, 0) = float(1 << c);
+  EXPECT_EQ(luminance(image, {0.5f, 0.25f, 2.0f})(0, 0), 0.5f + 0.5f + 8.0f);
+}
+
 TEST(ImageCrop, CutsEveryPlane) {
   Image image(3, 3, 3);
   image.planes[2](1, 2) = 5.0f;
