@@ -12,6 +12,7 @@
 #include "capture/diagnose.h"
 #include "capture/evidence.h"
 #include "capture/find_spheres.h"
+#include "capture/lamp_colours.h"
 #include "capture/lit_disc.h"
 #include "capture/matte_sphere.h"
 #include "capture/refine_lights.h"
@@ -21,10 +22,6 @@
 
 namespace hada {
 namespace {
-
-bool is_seen(const Light& light) {
-  return std::isfinite(light.direction_sigma);
-}
 
 // The misfit of every matte sphere in every picture if they are taken as linear or as sRGB.
 std::vector<double> matte_misfits(const Photographs& photographs,
@@ -118,47 +115,6 @@ Light combined(const std::vector<SphereReading>& readings, std::size_t k) {
   return light;
 }
 
-// The matte sphere that sees the most lights, the first of equals; null if there is none.
-const SphereReading* best_matte(const std::vector<SphereReading>& readings) {
-  const SphereReading* best = nullptr;
-  std::ptrdiff_t most = 0;
-  for (const SphereReading& reading : readings) {
-    if (reading.sphere.kind != SphereKind::matte) continue;
-    const auto seen = std::count_if(reading.lights.begin(), reading.lights.end(), is_seen);
-    if (seen <= most) continue;
-    most = seen;
-    best = &reading;
-  }
-  return best;
-}
-
-// How a light's colour departs from its grey strength, as one matte sphere shows it: strength of
-// each channel over that of the grey value. All 1 if there is none, or where it is in shadow.
-std::vector<Eigen::Vector3d> colours(const std::vector<SphereReading>& readings,
-                                     std::size_t count) {
-  std::vector<Eigen::Vector3d> colour(count, Eigen::Vector3d::Ones());
-  const SphereReading* reading = best_matte(readings);
-  if (!reading) return colour;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double seen = 0.0;
-  for (const Light& light : reading->lights) {
-    if (!is_seen(light)) continue;
-    if (!(light.strength.minCoeff() > 0.0)) {
-      throw Error(light.image +
-                  ": its light lacks a colour altogether; use white lamps, or grey pictures");
-    }
-    sum += light.strength;
-    seen += 1.0;
-  }
-  const Eigen::Vector3d mean = sum / seen;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!is_seen(reading->lights[k])) continue;
-    const Eigen::Vector3d channels = reading->lights[k].strength.cwiseQuotient(mean);
-    colour[k] = channels / grey_of(channels);
-  }
-  return colour;
-}
-
 // The pictures with linear values, as far as the calibration knows what that takes.
 Photographs read_linear(const Photographs& given, const Calibration& calibration) {
   Photographs read = copy_of(given);
@@ -183,7 +139,7 @@ std::vector<SphereReading> read_spheres(const Photographs& linear,
 void take_ambient(const Photographs& linear, Calibration& calibration) {
   const auto& readings = calibration.readings;
   if (std::none_of(readings.begin(), readings.end(), shows_ambient)) return;
-  const auto all = evidence(linear, readings, colours(readings, linear.images.size()));
+  const auto all = evidence(linear, readings, lamp_colours(linear, readings));
   calibration.ambient_light = ambient_light(all, readings, linear.camera);
   if (calibration.ambient_light.isZero()) return;
   const auto matte = std::find_if(readings.begin(), readings.end(), [](const SphereReading& r) {
@@ -232,9 +188,9 @@ Calibration calibrate(const Photographs& given) {
     calibration.lights.push_back(light);
   }
   const double ambient = grey_of(calibration.ambient_light);
-  const auto colour = colours(calibration.readings, linear.images.size());
+  const auto colours = lamp_colours(linear, calibration.readings);
   const auto refined =
-      refined_lights(linear, calibration.readings, calibration.lights, colour, ambient);
+      refined_lights(linear, calibration.readings, calibration.lights, colours, ambient);
   if (ambient > 0.0) calibration.ambient_light *= 1.0 + refined.sheet_ambient / ambient;
   calibration.lights = refined.lights;
   for (std::size_t s = 0; s < calibration.readings.size(); ++s) {

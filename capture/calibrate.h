@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct SphereReading {
                                       // reach; NaN where all is lit
   double misfit = 0.0;  // matte: root mean square residual over that of the brightness
 };
+
+/// Whether a sphere told where a light of its reading is.
+inline bool is_seen(const Light& light) {
+  return std::isfinite(light.direction_sigma);
+}
 
 /// The lights of a set of photographs, and how well they are known.
 struct Calibration {

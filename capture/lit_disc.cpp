@@ -27,10 +27,6 @@ double mean_beside(const Grid<float>& grey, const Sphere& sphere) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-bool is_seen(const Light& light) {
-  return std::isfinite(light.direction_sigma);
-}
-
 }  // namespace
 
 std::vector<LitDisc> lit_discs(const Photographs& linear, const Sphere& sphere) {

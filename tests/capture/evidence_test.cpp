@@ -83,7 +83,8 @@ TEST(Evidence, OfABallAloneHasNoSheet) {
       photographs.mask(row, col) = (at - sphere.center_px).norm() < sphere.radius_px;
     }
   }
-  EXPECT_TRUE(evidence(photographs, {reading_of(photographs, ball)}, white_lights).sheet.points.empty());
+  EXPECT_TRUE(
+      evidence(photographs, {reading_of(photographs, ball)}, white_lights).sheet.points.empty());
 }
 
 }  // namespace
