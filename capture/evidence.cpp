@@ -1,11 +1,11 @@
 #include "capture/evidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "capture/chrome_sphere.h"
+#include "capture/lamp_colours.h"
 #include "capture/sample_mask.h"
 #include "capture/sphere_geometry.h"
 #include "capture/thrown_light.h"
@@ -24,9 +24,7 @@ std::vector<Grid<float>> greys_of(const Photographs& linear,
                                   const std::vector<Eigen::Vector3d>& colours) {
   std::vector<Grid<float>> greys;
   for (std::size_t k = 0; k < linear.images.size(); ++k) {
-    std::array<float, 3> weight = luminance_weight;
-    for (std::size_t c = 0; c < 3; ++c) weight[c] /= float(colours[k][Eigen::Index(c)]);
-    greys.push_back(luminance(linear.images[k], weight));
+    greys.push_back(luminance(linear.images[k], grey_weight(colours[k])));
   }
   return greys;
 }

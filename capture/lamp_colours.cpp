@@ -8,6 +8,7 @@
 #include "capture/ambient.h"
 #include "core/error.h"
 #include "core/quantile.h"
+#include "core/surface.h"
 
 namespace hada {
 namespace {
@@ -50,69 +51,85 @@ std::vector<Eigen::Vector3d> colours_on(const SphereReading& reading) {
   return colours;
 }
 
-bool lies_in_a_sphere(const std::vector<SphereReading>& readings, int row, int col) {
-  const Eigen::Vector2d at(col + 0.5, row + 0.5);
-  return std::any_of(readings.begin(), readings.end(), [&](const SphereReading& reading) {
-    return (at - reading.sphere.center_px).norm() < reading.sphere.radius_px;
-  });
-}
-
-// Logarithms of green and blue over red at a pixel, in each picture; empty if any is dark or
-// saturated.
-std::vector<Eigen::Vector2d> colour_ratios(const Photographs& linear, int row, int col) {
+// Logarithms of green and blue over red at a pixel, in each picture; empty if any is dark.
+std::vector<Eigen::Vector2d> colour_ratios(const std::vector<Image>& images, int row, int col) {
   std::vector<Eigen::Vector2d> ratios;
-  for (std::size_t k = 0; k < linear.images.size(); ++k) {
-    const auto& planes = linear.images[k].planes;
-    const float red = planes[0](row, col);
-    const float green = planes[1](row, col);
-    const float blue = planes[2](row, col);
-    if (linear.saturated[k](row, col) || std::min({red, green, blue}) < least_value) return {};
+  for (const Image& image : images) {
+    const float red = image.planes[0](row, col);
+    const float green = image.planes[1](row, col);
+    const float blue = image.planes[2](row, col);
+    if (std::min({red, green, blue}) < least_value) return {};
     ratios.emplace_back(std::log(double(green) / red), std::log(double(blue) / red));
   }
   return ratios;
 }
 
-std::vector<Eigen::Vector3d> colours_of_frame(const Photographs& linear,
-                                              const std::vector<SphereReading>& readings) {
-  const std::size_t count = linear.images.size();
-  const Extent& extent = linear.camera.extent;
-  const int stride =
-      std::max(1, int(std::sqrt(double(extent.rows) * double(extent.cols) / most_pixels)));
-  std::vector<std::vector<double>> green(count), blue(count);
-  for (int row = stride / 2; row < extent.rows; row += stride) {
-    for (int col = stride / 2; col < extent.cols; col += stride) {
-      if (lies_in_a_sphere(readings, row, col)) continue;
-      const std::vector<Eigen::Vector2d> ratios = colour_ratios(linear, row, col);
+// What is neither a sphere nor saturated in any picture.
+Mask frame_of(const Photographs& linear, const std::vector<SphereReading>& readings) {
+  Mask frame = full_mask(linear.camera.extent);
+  for (const Mask& saturated : linear.saturated) {
+    for (std::size_t i = 0; i < frame.size(); ++i) frame[i] &= saturated[i] == 0;
+    saturated.let_go();
+  }
+  for (const SphereReading& reading : readings) {
+    const auto [center, radius] = std::pair(reading.sphere.center_px, reading.sphere.radius_px);
+    for (int row = int(center.y() - radius); row <= int(center.y() + radius); ++row) {
+      for (int col = int(center.x() - radius); col <= int(center.x() + radius); ++col) {
+        const bool inside = (Eigen::Vector2d(col + 0.5, row + 0.5) - center).norm() < radius;
+        if (inside && frame.contains(row, col)) frame(row, col) = 0;
+      }
+    }
+  }
+  return frame;
+}
+
+void scale_to_grey(std::vector<Eigen::Vector3d>& colours) {
+  for (Eigen::Vector3d& colour : colours) colour /= grey_of(colour);
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> lamp_colours(const std::vector<Image>& images, const Mask& counts) {
+  std::vector<Eigen::Vector3d> colours(images.size(), Eigen::Vector3d::Ones());
+  if (images.front().channels() < 3) return colours;
+  const int stride = std::max(1, int(std::sqrt(double(counts.size()) / most_pixels)));
+  std::vector<std::vector<double>> green(images.size()), blue(images.size());
+  for (int row = stride / 2; row < counts.rows(); row += stride) {
+    for (int col = stride / 2; col < counts.cols(); col += stride) {
+      if (!counts(row, col)) continue;
+      const std::vector<Eigen::Vector2d> ratios = colour_ratios(images, row, col);
       if (ratios.empty()) continue;
       Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-      for (const Eigen::Vector2d& ratio : ratios) mean += ratio / double(count);
-      for (std::size_t k = 0; k < count; ++k) {
+      for (const Eigen::Vector2d& ratio : ratios) mean += ratio / double(ratios.size());
+      for (std::size_t k = 0; k < ratios.size(); ++k) {
         green[k].push_back(ratios[k].x() - mean.x());
         blue[k].push_back(ratios[k].y() - mean.y());
       }
     }
   }
-  for (const Image& image : linear.images) image.let_go();
-  std::vector<Eigen::Vector3d> colours(count, Eigen::Vector3d::Ones());
+  for (const Image& image : images) image.let_go();
   if (green[0].size() < fewest_pixels) return colours;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < colours.size(); ++k) {
     colours[k] = {1.0, std::exp(median(std::move(green[k]))), std::exp(median(std::move(blue[k])))};
   }
+  scale_to_grey(colours);
   return colours;
 }
 
-}  // namespace
-
 std::vector<Eigen::Vector3d> lamp_colours(const Photographs& linear,
                                           const std::vector<SphereReading>& readings) {
-  if (linear.images.front().channels() < 3) {
-    return std::vector<Eigen::Vector3d>(linear.images.size(), Eigen::Vector3d::Ones());
-  }
+  const bool grey = linear.images.front().channels() < 3;
   const SphereReading* matte = best_matte(readings);
-  std::vector<Eigen::Vector3d> colours =
-      matte ? colours_on(*matte) : colours_of_frame(linear, readings);
-  for (Eigen::Vector3d& colour : colours) colour /= grey_of(colour);
+  if (grey || !matte) return lamp_colours(linear.images, frame_of(linear, readings));
+  std::vector<Eigen::Vector3d> colours = colours_on(*matte);
+  scale_to_grey(colours);
   return colours;
+}
+
+std::array<float, 3> grey_weight(const Eigen::Vector3d& lamp_colour) {
+  std::array<float, 3> weight = luminance_weight;
+  for (std::size_t c = 0; c < 3; ++c) weight[c] /= float(lamp_colour[Eigen::Index(c)]);
+  return weight;
 }
 
 }  // namespace hada

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,5 +23,12 @@ namespace hada {
 /// throws    Error if a lamp lacks a colour altogether
 std::vector<Eigen::Vector3d> lamp_colours(const Photographs& linear,
                                           const std::vector<SphereReading>& readings);
+
+/// The same, as the pixels tell that `counts` holds: those that are lit and not saturated in every
+/// picture. All 1 if fewer than 100 of them are bright enough.
+std::vector<Eigen::Vector3d> lamp_colours(const std::vector<Image>& images, const Mask& counts);
+
+/// What the channels weigh in a grey value from which the colour of the lamp is divided out.
+std::array<float, 3> grey_weight(const Eigen::Vector3d& lamp_colour);
 
 }  // namespace hada

@@ -6,28 +6,37 @@
 
 #include <Eigen/Dense>
 
+#include "capture/ambient.h"
+#include "capture/lamp_colours.h"
 #include "core/quantile.h"
 
 namespace hada {
 namespace {
 
-// Grey values of pixels that every light reaches, a row each, at most about 20 000 of them.
-Eigen::MatrixXd lit_values(const LightStack& stack) {
-  const std::size_t pixels = stack.mask.size();
-  const std::size_t stride = std::max<std::size_t>(1, pixels / 20000);
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < pixels; i += stride) {
-    const bool lit = stack.mask[i] &&
-                     std::all_of(stack.samples.begin(), stack.samples.end(),
-                                 [&](const auto& samples) { return samples[i] == Sample::lit; });
-    if (lit) chosen.push_back(i);
+Mask lit_in_all(const LightStack& stack) {
+  Mask lit = stack.mask;
+  for (const auto& samples : stack.samples) {
+    for (std::size_t i = 0; i < lit.size(); ++i) lit[i] &= samples[i] == Sample::lit;
+    samples.let_go();
   }
-  for (const auto& samples : stack.samples) samples.let_go();
+  return lit;
+}
+
+// Grey values of pixels that every light reaches, a row each, at most about 20 000 of them, over
+// the strengths in force.
+Eigen::MatrixXd lit_values(const LightStack& stack, const Mask& lit,
+                           const std::vector<Eigen::Vector3d>& colours) {
+  const std::size_t stride = std::max<std::size_t>(1, lit.size() / 20000);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < lit.size(); i += stride) {
+    if (lit[i]) chosen.push_back(i);
+  }
   Eigen::MatrixXd values(Eigen::Index(chosen.size()), Eigen::Index(stack.images.size()));
   for (std::size_t k = 0; k < stack.images.size(); ++k) {
-    const Grid<float> grey = luminance(stack.images[k]);
+    const Grid<float> grey = luminance(stack.images[k], grey_weight(colours[k]));
     for (std::size_t p = 0; p < chosen.size(); ++p) {
-      values(Eigen::Index(p), Eigen::Index(k)) = grey[chosen[p]] / stack.lights[k].strength.mean();
+      values(Eigen::Index(p), Eigen::Index(k)) =
+          grey[chosen[p]] / grey_of(stack.lights[k].strength);
     }
   }
   return values;
@@ -45,7 +54,12 @@ Eigen::VectorXd best_fitting(const Eigen::MatrixXd& values, const Eigen::MatrixX
 
 bool balance_strengths(LightStack& stack) {
   const auto lights = Eigen::Index(stack.lights.size());
-  const Eigen::MatrixXd values = lit_values(stack);
+  const Mask lit = lit_in_all(stack);
+  const auto colours = lamp_colours(stack.images, lit);
+  for (std::size_t k = 0; k < colours.size(); ++k) {
+    stack.lights[k].strength = grey_of(stack.lights[k].strength) * colours[k];
+  }
+  const Eigen::MatrixXd values = lit_values(stack, lit, colours);
   if (lights < 5 || values.rows() < 100) return false;
   Eigen::MatrixX3d directions(lights, 3);
   for (Eigen::Index k = 0; k < lights; ++k) {

@@ -14,7 +14,8 @@ namespace hada {
 /// cannot tell (a flat sheet leaves three combinations free) stays as it was. Mean over the
 /// lights 1.
 ///
-/// Does nothing for fewer than five lights or fewer than 100 such pixels.
+/// Such pixels also tell the colours of the lamps (`lamp_colours`). Fewer than five lights or than
+/// 100 pixels tell nothing more.
 ///
 /// returns  whether the sample could tell
 bool balance_strengths(LightStack& stack);
