@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "synth/echoes.h"
 #include "synth/ridges.h"
 #include "synth/white_noise.h"
 
@@ -145,73 +145,59 @@ class Layer {
   std::uint64_t key_;
 };
 
-/// How loud white noise must be heard again n periods away, n = 0, 1, ..., until that is a hundred
-/// thousandth: at a distance of n periods the sum then resembles itself by exp(-n^2 / (2
-/// repeats^2)). The coefficients of the series of the root of the spectrum's comb.
-std::vector<double> echoes(double repeats) {
-  constexpr double faintest = 1e-5;
-  const double width = 0.5 / (std::numbers::pi * repeats);
-  // exp(-n^2 / repeats^2) for many repeats; the root is less smooth where its lines flow together.
-  const int last = int(std::ceil(4.0 * repeats)) + 6;
-  const int phases = 16 * last;  // of a periodic function: the mean of them is the integral
-  std::vector<double> roots;
-  for (int k = 0; k < phases; ++k) roots.push_back(std::sqrt(comb(double(k) / phases, width)));
-  std::vector<double> loudness;
-  for (int n = 0; n <= last; ++n) {
-    double sum = 0.0;
-    for (int k = 0; k < phases; ++k)
-      sum += roots[std::size_t(k)] * std::cos(2.0 * std::numbers::pi * n * k / phases);
-    if (n > 0 && std::abs(sum / phases) < faintest * loudness.front()) break;
-    loudness.push_back(sum / phases);
+/// A pass for every place that the noise comes back at: for kernels too fine for an `EchoLattice`.
+void add_passes(Grid<float>& field, WrinkleComponent<> kernel, const Echoes& one,
+                const Echoes& other, std::uint64_t key, const Extent& window,
+                const std::array<double, 2>& middle) {
+  const double amplitude = kernel.amplitude_mm;
+  const int last = int(one.loudness.size()) - 1, other_last = int(other.loudness.size()) - 1;
+  constexpr double most = 1e10;  // pixels in all passes: some minutes
+  const double places = (2.0 * last + 1.0) * (2.0 * other_last + 1.0);
+  if (places * double(field.size()) > most) {
+    throw Error(
+        "synthesis: a window of so many pixels, and noise finer than they that comes back "
+        "at " +
+        std::to_string(std::int64_t(places)) +
+        " places, take too long; ask for a smaller window, or for a surface that tiles");
   }
-  return loudness;
+  for (int m = -other_last; m <= other_last; ++m) {
+    for (int n = -last; n <= last; ++n) {
+      kernel.amplitude_mm = amplitude * one.loudness[std::size_t(std::abs(n))] *
+                            other.loudness[std::size_t(std::abs(m))];
+      const double x = n * one.step.x + m * other.step.x;
+      const double y = n * one.step.y + m * other.step.y;
+      Layer(kernel, key).add_to(field, window, {middle[0] - x, middle[1] - y});
+    }
+  }
 }
 
-void check_effort(const Wrinkle<>& wrinkle, const Extent& window) {
-  constexpr double most = 1e10;  // pixels in all passes: some minutes
-  const auto check = [&](double places) {
-    if (places * window.rows * window.cols > most) {
-      throw Error("synthesis: a window of so many pixels, and noise that comes back at " +
-                  std::to_string(std::int64_t(places)) +
-                  " places, take too long; ask for a smaller window, or for a surface that tiles");
-    }
-  };
-  const auto places = [](double repeats) { return 2.0 * double(echoes(repeats).size()) - 1.0; };
-  for (const auto& noise : wrinkle.repeated) check(places(noise.repeats));
-  for (const auto& noise : wrinkle.woven)
-    check(places(noise.repeats) * places(noise.other_repeats));
+void add_coming_back(Grid<float>& field, const WrinkleComponent<>& kernel, const Echoes& one,
+                     const Echoes& other, std::uint64_t key, const Extent& window,
+                     const std::array<double, 2>& middle) {
+  if (const auto lattice = EchoLattice::find(kernel, one, other, window.pitch)) {
+    lattice->add_to(field, window, middle, key);
+  } else {
+    add_passes(field, kernel, one, other, key, window, middle);
+  }
 }
 
 void add_repeated(Grid<float>& field, const RepeatedNoise<>& noise, std::uint64_t key,
                   const Extent& window, const std::array<double, 2>& middle) {
   const auto covariance = autocovariance(noise);
-  const auto loudness = echoes(noise.repeats);
-  const int last = int(loudness.size()) - 1;
   WrinkleComponent<> kernel = kernel_of(noise);
-  for (int n = -last; n <= last; ++n) {
-    kernel.amplitude_mm =
-        std::sqrt(covariance.kernel.variance) * loudness[std::size_t(std::abs(n))];
-    Layer(kernel, key)
-        .add_to(field, window, {middle[0] - n * covariance.x, middle[1] - n * covariance.y});
-  }
+  kernel.amplitude_mm = std::sqrt(covariance.kernel.variance);
+  const Step<> step{covariance.x, covariance.y};
+  add_coming_back(field, kernel, echoes_of(step, noise.repeats), none_across(step, kernel), key,
+                  window, middle);
 }
 
 void add_woven(Grid<float>& field, const WovenNoise<>& noise, std::uint64_t key,
                const Extent& window, const std::array<double, 2>& middle) {
   const auto covariance = autocovariance(noise);
-  const auto loudness = echoes(noise.repeats), other = echoes(noise.other_repeats);
-  const int last = int(loudness.size()) - 1, other_last = int(other.size()) - 1;
-  WrinkleComponent<> kernel{noise.amplitude_mm, noise.long_mm, noise.short_mm, noise.angle_rad};
-  const double amplitude = std::sqrt(covariance.kernel.variance);
-  for (int m = -other_last; m <= other_last; ++m) {
-    for (int n = -last; n <= last; ++n) {
-      kernel.amplitude_mm =
-          amplitude * loudness[std::size_t(std::abs(n))] * other[std::size_t(std::abs(m))];
-      const Step<> away{n * covariance.p.x + m * covariance.q.x,
-                        n * covariance.p.y + m * covariance.q.y};
-      Layer(kernel, key).add_to(field, window, {middle[0] - away.x, middle[1] - away.y});
-    }
-  }
+  const WrinkleComponent<> kernel{std::sqrt(covariance.kernel.variance), noise.long_mm,
+                                  noise.short_mm, noise.angle_rad};
+  add_coming_back(field, kernel, echoes_of(covariance.p, noise.repeats),
+                  echoes_of(covariance.q, noise.other_repeats), key, window, middle);
 }
 
 void add_floor(Grid<float>& field, const Extent& window, const std::array<double, 2>& middle,
@@ -234,17 +220,18 @@ void add_floor(Grid<float>& field, const Extent& window, const std::array<double
 
 Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
                           const std::array<double, 2>& middle, Seed seed) {
-  check_effort(wrinkle, window);
   const int margin = has_ridges(wrinkle) ? felt_by_ridges(wrinkle, window.pitch) : 0;
   const Extent wider{window.rows + 2 * margin, window.cols + 2 * margin, window.pitch, window.unit};
   Grid<float> field(wider.rows, wider.cols);
-  std::int64_t layer = 0;
-  for (const auto& component : wrinkle.components)
-    Layer(component, mixed(seed, ++layer)).add_to(field, wider, middle);
+  // What comes back first: it may be refused.
+  std::int64_t layer = std::int64_t(wrinkle.components.size());
   for (const auto& noise : wrinkle.repeated)
     add_repeated(field, noise, mixed(seed, ++layer), wider, middle);
   for (const auto& noise : wrinkle.woven)
     add_woven(field, noise, mixed(seed, ++layer), wider, middle);
+  layer = 0;
+  for (const auto& component : wrinkle.components)
+    Layer(component, mixed(seed, ++layer)).add_to(field, wider, middle);
   if (has_ridges(wrinkle)) {
     field = crop(with_layers(std::move(field), wrinkle, window.pitch, false), margin, margin,
                  window.rows, window.cols);

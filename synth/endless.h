@@ -14,7 +14,7 @@ namespace hada {
 /// Each noise function is the sum of its kernels around the nodes of a lattice along its axes, 1.5
 /// standard deviations apart, each node with a normal number of its own: white noise so sampled
 /// differs from the whole by 2e-8 of the power. One that comes back is heard again period after
-/// period, fainter each time: some 7 passes for each of its `repeats`. The floor is white from
+/// period, fainter each time (`EchoLattice`). The floor is white from
 /// pixel to pixel: places that fall into one cell of a lattice of the window's pitch share its
 /// number.
 ///
@@ -23,7 +23,8 @@ namespace hada {
 ///          gives it back in a tile is not local, and left out here); windows of one pitch that lie
 ///          a whole number of pixels apart agree where they overlap. They do not tile, and their
 ///          mean is not taken off.
-/// throws   Error if noise that comes back would take more than 1e10 pixels in all passes
+/// throws   Error if noise that comes back, and is finer than a pixel or often heard, would take
+///          minutes or much memory
 Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
                           const std::array<double, 2>& middle, Seed seed);
 

@@ -46,7 +46,7 @@ struct RepeatedNoise {
 
   /// Below it little is seen of a period: its lines rise 9 % above the mean, 2 exp(-1 / (2 0.4^2)).
   static constexpr double fewest_repeats = 0.4;
-  static constexpr double most_repeats = 30.0;  // each is a pass over an endless window
+  static constexpr double most_repeats = 30.0;
 };
 
 /// The noise function that comes back.
