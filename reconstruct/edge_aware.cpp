@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -90,19 +89,21 @@ Weighted weighted_by(const Grid<float>& height, const SlopeMap& slopes, const Gr
   return w;
 }
 
-// The share of the pixels that lie in the largest part of their region, regions cut at weak pairs.
-double held_together(const EdgeWeights& weights, const Grid<float>& facing, const Mask& mask) {
+// Regions cut at weak pairs.
+void find_parts(const EdgeWeights& weights, const Grid<float>& facing, const Mask& mask,
+                EdgeAware& found) {
   constexpr double least_share = 0.3;
   const Regions regions = regions_of(mask);
-  Grid<std::uint8_t> seen(mask.rows(), mask.cols());
+  found.part = Grid<int>(mask.rows(), mask.cols());
+  found.part_size = {0};
   std::vector<int> largest(regions.size.size(), 0);
   std::vector<std::pair<int, int>> part;
   const auto holds = [&](float weight, int row, int col, int r, int c) {
     return double(weight) >= least_share * facing(row, col) * facing(r, c);
   };
   const auto reach = [&](int row, int col) {
-    if (!mask(row, col) || seen(row, col)) return;
-    seen(row, col) = 1;
+    if (!mask(row, col) || found.part(row, col) != 0) return;
+    found.part(row, col) = int(found.part_size.size());
     part.emplace_back(row, col);
   };
   for (int row = 0; row < mask.rows(); ++row) {
@@ -118,19 +119,21 @@ double held_together(const EdgeWeights& weights, const Grid<float>& facing, cons
         if (r > 0 && holds(south(r - 1, c), r, c, r - 1, c)) reach(r - 1, c);
       }
       if (part.empty()) continue;
+      found.part_size.push_back(int(part.size()));
       int& most = largest[std::size_t(regions.label(row, col))];
       most = std::max(most, int(part.size()));
     }
   }
-  return std::accumulate(largest.begin(), largest.end(), 0.0) /
-         (double(mask.size()) - regions.size[0]);
+  found.held_together = std::accumulate(largest.begin(), largest.end(), 0.0) /
+                        (double(mask.size()) - regions.size[0]);
 }
 
 }  // namespace
 
 EdgeAware edge_aware_height(const SlopeMap& slopes, const Grid<float>& facing, const Mask& mask,
                             const EdgeAwareOptions& options) {
-  EdgeAware result{Grid<float>(mask.rows(), mask.cols())};
+  EdgeAware result;
+  result.height = Grid<float>(mask.rows(), mask.cols());
   Grid<float>& height = result.height;
   std::optional<Grid<float>> weight;
   if (options.weight) weight = with_median_1(*options.weight, mask);
@@ -143,8 +146,20 @@ EdgeAware edge_aware_height(const SlopeMap& slopes, const Grid<float>& facing, c
     height = SlopeSolver(mask, std::move(w.weights)).height(w.rises, options.tolerance_px, 40);
   }
   const auto sides = weighted_by(height, slopes, facing, mask, options.sharpness, nullptr);
-  result.held_together = held_together(sides.weights, facing, mask);
+  find_parts(sides.weights, facing, mask, result);
   return result;
+}
+
+void place_parts(EdgeAware& found, const Grid<float>& smooth) {
+  std::vector<double> lift(found.part_size.size(), 0.0);
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    const auto part = std::size_t(found.part[i]);
+    lift[part] += (double(smooth[i]) - found.height[i]) / std::max(found.part_size[part], 1);
+  }
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    const int part = found.part[i];
+    if (part != 0) found.height[i] += float(lift[std::size_t(part)]);
+  }
 }
 
 }  // namespace hada

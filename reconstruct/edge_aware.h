@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/surface.h"
 #include "reconstruct/slopes.h"
 
@@ -14,9 +16,10 @@ struct EdgeAwareOptions {
 };
 
 struct EdgeAware {
-  Grid<float> height;  // in px, zero-mean in every region
-  double held_together =
-      1.0;  // share of the pixels in the largest part of each region, cut at jumps
+  Grid<float> height;          // in px, zero-mean in every region
+  Grid<int> part;              // of a region cut at jumps, from 1; 0 outside the mask
+  std::vector<int> part_size;  // in pixels; part_size[0] is not used
+  double held_together = 1.0;  // share of the pixels in the largest part of their region
 };
 
 /// A height that may jump: each pixel takes its slope from the side to which it hangs together.
@@ -31,13 +34,19 @@ struct EdgeAware {
 /// sides on.
 ///
 /// Where jumps cut a part off all around, nothing says how high it lies over the rest:
-/// `held_together` tells. A pair counts as cut where its weight is below 0.3 of m^2, whatever its
-/// pixels weigh.
+/// `held_together` tells, and `place_parts` helps. A pair counts as cut where its weight is below
+/// 0.3 of m^2, whatever its pixels weigh.
 ///
 /// slopes, facing  as of `slopes_of` and `facing_of`
 /// Source: X. Cao, H. Santo, B. Shi, F. Okura, Y. Matsushita, Bilateral normal integration, ECCV
 /// 2022.
 EdgeAware edge_aware_height(const SlopeMap& slopes, const Grid<float>& facing, const Mask& mask,
                             const EdgeAwareOptions& options = {});
+
+/// Lifts every part as a whole to where `smooth`, a height without jumps, has it in the mean: that
+/// lies between all that the part could be, and its shape stays its own.
+///
+/// smooth  in px, zero-mean in every region; so is the result
+void place_parts(EdgeAware& found, const Grid<float>& smooth);
 
 }  // namespace hada

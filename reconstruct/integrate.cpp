@@ -105,10 +105,15 @@ constexpr double least_rms = 0.02;   // px; below, whatever there is can stay
 constexpr double least_share = 0.5;  // normal errors have 8 % of their squares in the worst 1 %
 constexpr double least_held_together = 0.98;
 
-EdgeAware with_jumps(const NormalMap& normals, const Mask& mask, const IntegrateOptions& options) {
-  return edge_aware_height(slopes_of(normals, mask, options.pin_hole, least_facing_at_jumps),
-                           facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask,
-                           {.weight = options.weight.empty() ? nullptr : &options.weight});
+// smooth  the height without jumps: parts that are cut off lie where that has them
+EdgeAware with_jumps(const NormalMap& normals, const Mask& mask, const Grid<float>& smooth,
+                     const IntegrateOptions& options) {
+  EdgeAware found =
+      edge_aware_height(slopes_of(normals, mask, options.pin_hole, least_facing_at_jumps),
+                        facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask,
+                        {.weight = options.weight.empty() ? nullptr : &options.weight});
+  if (found.held_together < least_held_together) place_parts(found, smooth);
+  return found;
 }
 
 struct Disagreement {
@@ -208,40 +213,35 @@ Integrated integrate_with_jumps(const NormalMap& normals, const Mask& mask, doub
     throw Error("jumps cannot be found in a map that is kept on the disk: keep it in memory");
   }
   const SlopeMap slopes = slopes_of(normals, mask, options.pin_hole);
-  if (jumps != Jumps::allowed) {
-    Grid<float> height = height_px(slopes, mask, options);
-    std::string reason = "as asked";
-    if (jumps == Jumps::automatic) {
-      const Disagreement found = disagreement(height, slopes, mask, options.weight);
+  Grid<float> height = height_px(slopes, mask, options);
+  std::string reason = "as asked";
+  if (jumps == Jumps::automatic) {
+    const Disagreement found = disagreement(height, slopes, mask, options.weight);
+    if (found.rms <= least_rms || found.share_of_worst <= least_share) {
       reason = fmt::format(
           "slopes disagree with the height by {:.2g} px rms, and {:.0f} % of their "
           "curl is in 1 % of the pixels: no sign of jumps",
           found.rms, 100.0 * found.share_of_worst);
-      const bool suspicious = found.rms > least_rms && found.share_of_worst > least_share;
-      if (suspicious && too_large) {
-        reason = "there are signs of jumps, but the map is too large to look for them";
-      } else if (suspicious) {
-        jumps = Jumps::allowed;
-      }
+    } else if (too_large) {
+      reason = "there are signs of jumps, but the map is too large to look for them";
+    } else {
+      jumps = Jumps::allowed;
+      reason =
+          "the slopes disagree with any smooth height along a few lines: the surface hides parts "
+          "of itself there";
     }
-    if (jumps != Jumps::allowed) {
-      return {in_units(std::move(height), pitch, options.pin_hole), false, reason};
-    }
-    EdgeAware jumping = with_jumps(normals, mask, options);
-    if (jumping.held_together < least_held_together) {
-      return {
-          in_units(std::move(height), pitch, options.pin_hole), false,
-          fmt::format("there are signs of jumps, but they would cut {:.0f} % of the surface off "
-                      "from the rest, whose height would then be anything",
-                      100.0 * (1.0 - jumping.held_together))};
-    }
-    return {
-        in_units(std::move(jumping.height), pitch, options.pin_hole), true,
-        "the slopes disagree with any smooth height along a few lines: the surface hides parts of "
-        "itself there"};
   }
-  return {in_units(with_jumps(normals, mask, options).height, pitch, options.pin_hole), true,
-          "as asked"};
+  if (jumps != Jumps::allowed) {
+    return {in_units(std::move(height), pitch, options.pin_hole), false, reason};
+  }
+  EdgeAware jumping = with_jumps(normals, mask, height, options);
+  if (jumping.held_together < least_held_together) {
+    reason += fmt::format(
+        "; jumps cut {:.0f} % of it off all around, and how high that lies over the rest is only "
+        "known to lie between: it is put where a height without jumps has it",
+        100.0 * (1.0 - jumping.held_together));
+  }
+  return {in_units(std::move(jumping.height), pitch, options.pin_hole), true, reason};
 }
 
 Grid<double> integrate_reference(const NormalMap& normals, const Mask& mask, double pitch,

@@ -52,10 +52,11 @@ struct Integrated {
 /// `integrate`, or the edge-aware height of `edge_aware.h` where the surface seems to hide parts of
 /// itself.
 ///
+/// Where jumps cut parts off all around, nothing says how high they lie over the rest: each lies
+/// where the height without jumps has it in the mean (`place_parts`), and the reason says so.
+///
 /// automatic  allows jumps where the slopes do not agree with a height and most of their curl lies
-/// in a
-///            few pixels, along lines; but not if jumps would cut off parts, whose height over the
-///            rest would then be anything
+///            in a few pixels, along lines
 /// Maps that do not lie on the heap (see `Memory`) are taken for too large to find jumps in.
 /// throws     Error as `integrate` does, or where weights are given, or maps too large, and jumps
 ///            are allowed

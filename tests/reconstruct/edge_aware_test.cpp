@@ -66,5 +66,28 @@ TEST(EdgeAware, LetsPixelsCountAsTheyAreKnown) {
   EXPECT_LT(rms_difference(height(planes.normals, &alike), clean, mask), 0.01);
 }
 
+TEST(EdgeAware, LiftsPartsThatAreCutOffToWhereASmoothHeightHasThem) {
+  EdgeAware found;
+  found.height = Grid<float>(2, 3);
+  found.part = Grid<int>(2, 3);
+  found.part_size = {0, 3, 2};  // the upper row; two of the lower, whose last is outside
+  Grid<float> smooth(2, 3);
+  for (int col = 0; col < 3; ++col) {
+    found.height(0, col) = 5.0f + float(col);
+    found.part(0, col) = 1;
+    smooth(0, col) = 2.0f * float(col);
+  }
+  for (int col = 0; col < 2; ++col) {
+    found.height(1, col) = -9.0f - 3.0f * float(col);
+    found.part(1, col) = 2;
+    smooth(1, col) = -3.0f;
+  }
+  place_parts(found, smooth);
+  for (int col = 0; col < 3; ++col) EXPECT_FLOAT_EQ(found.height(0, col), 1.0f + float(col));
+  for (int col = 0; col < 2; ++col)
+    EXPECT_FLOAT_EQ(found.height(1, col), -1.5f - 3.0f * float(col));
+  EXPECT_EQ(found.height(1, 2), 0.0f);
+}
+
 }  // namespace
 }  // namespace hada
