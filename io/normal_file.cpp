@@ -20,18 +20,63 @@ constexpr double least_share = 0.01;  // of the pixels that must hold a normal
 constexpr float outline = 0.1f;
 constexpr float least_z = 1e-3f;
 
+// What the vectors of a map are like, as they are read.
+struct Tally {
+  std::size_t long_enough = 0;  // neither near 0 nor far longer than 1
+  std::size_t away = 0;         // of those
+  std::size_t off_length = 0;   // of those that are not away
+  std::size_t unit = 0;         // floats as long as normals are
+  std::size_t coded_unit = 0;   // floats that would be, if (n + 1) / 2 were stored
+
+  std::size_t normals() const { return long_enough - away; }
+};
+
+Eigen::Vector3f decoded(const Eigen::Vector3f& stored) {
+  return 2.0f * stored - Eigen::Vector3f::Ones();
+}
+
+bool has_unit_length(const Eigen::Vector3f& vector) {
+  return std::abs(vector.norm() - 1.0f) < 0.1f;
+}
+
 // A unit vector that looks towards the camera; nothing if the pixel holds none.
-std::optional<Eigen::Vector3f> normal_of(const float* pixel, const PictureShape& shape,
-                                         bool y_down) {
+std::optional<Eigen::Vector3f> normal_of(const float* pixel, const PictureShape& shape, bool y_down,
+                                         Tally& tally) {
   Eigen::Vector3f normal(pixel[0], pixel[1], pixel[2]);
-  if (!shape.floating) normal = 2.0f * normal - Eigen::Vector3f::Ones();
+  if (shape.floating) {
+    tally.unit += has_unit_length(normal) ? 1 : 0;
+    tally.coded_unit += has_unit_length(decoded(normal)) ? 1 : 0;
+  } else {
+    normal = decoded(normal);
+  }
   if (y_down) normal.y() = -normal.y();
   const float length = normal.norm();
   if (!(length > 0.5f && length < 1.5f)) return {};  // also not a number
+  ++tally.long_enough;
+  const bool is_off = !has_unit_length(normal);
   normal /= length;
-  if (normal.z() <= -outline) return {};
+  if (normal.z() <= -outline) {
+    ++tally.away;
+    return {};
+  }
+  tally.off_length += is_off ? 1 : 0;
   normal.z() = std::max(normal.z(), least_z);
   return normal.normalized();
+}
+
+void require_normals(const std::filesystem::path& path, const Tally& tally, std::size_t pixels) {
+  if (tally.coded_unit > 2 * tally.unit && tally.coded_unit > tally.long_enough / 2) {
+    throw Error(
+        path.string() +
+        ": holds floats that are unit vectors if they are taken for (n + 1) / 2; floats must "
+        "be signed, so write 2 v - 1, or integers");
+  }
+  if (double(tally.normals()) < least_share * double(pixels)) {
+    throw Error(path.string() +
+                ": hardly any pixel holds a unit vector that looks towards the camera; floats must "
+                "be signed, integers encode -1 to 1" +
+                (tally.away > tally.normals() ? "; turn z round if it points away" : ""));
+  }
 }
 
 }  // namespace
@@ -41,11 +86,11 @@ NormalFile read_normals(
     const std::function<std::pmr::memory_resource*(const PictureShape&)>& memory) {
   NormalFile result;
   PictureShape shape;
-  std::size_t count = 0;
+  Tally tally;
   const auto begin = [&](const PictureShape& found) {
     shape = found;
     if (shape.channels != 3) {
-      throw Error(path.string() + ": a normal map has three channels x, y, z, this has one");
+      throw Error(path.string() + ": a normal map has three channels x, y, z, this has fewer");
     }
     std::pmr::memory_resource* const where = memory ? memory(shape) : nullptr;
     result.normals = NormalMap(shape.rows, shape.cols, Eigen::Vector3f::UnitZ(), where);
@@ -54,19 +99,16 @@ NormalFile read_normals(
   };
   const auto take_row = [&](int row, const float* pixels) {
     for (int col = 0; col < shape.cols; ++col) {
-      const auto normal = normal_of(pixels + 3 * col, shape, y_down);
+      const auto normal = normal_of(pixels + 3 * col, shape, y_down, tally);
       if (!normal) continue;
       result.normals(row, col) = *normal;
       result.mask(row, col) = 1;
-      ++count;
     }
   };
   read_rows(path, {begin, take_row});
-  if (double(count) < least_share * double(result.mask.size())) {
-    throw Error(path.string() +
-                ": hardly any pixel holds a unit vector that looks towards the camera; floats must "
-                "be signed, integers encode -1 to 1");
-  }
+  require_normals(path, tally, result.mask.size());
+  result.share_away = double(tally.away) / double(tally.long_enough);
+  result.share_off_length = double(tally.off_length) / double(tally.normals());
   return result;
 }
 

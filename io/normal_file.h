@@ -15,6 +15,8 @@ namespace hada {
 struct NormalFile {
   NormalMap normals;  // unit length, z > 0; (0, 0, 1) outside the mask
   Mask mask;          // vectors between 0.5 and 1.5 long that do not look away from the camera
+  double share_away = 0.0;        // of the vectors so long: those that do look away
+  double share_off_length = 0.0;  // of the normals: shorter than 0.9 or longer than 1.1
 };
 
 /// Three channels x, y, z: floats as they are, integers of 8 or 16 bits as (value + 1) / 2.
@@ -23,8 +25,8 @@ struct NormalFile {
 /// y_down  the file's y points down the rows, as in DirectX; else up, as in OpenGL
 /// A normal up to 6 degrees beyond the outline (z > -0.1) is turned back to z = 0.001.
 ///
-/// throws  Error naming the file if `read_image` does, if it has one channel only, or if hardly any
-///         pixel holds a unit vector
+/// throws  Error naming the file if `read_image` does, if it has fewer than three channels, if
+///         hardly any pixel holds a unit vector, or if its floats are coded as integers would be
 NormalFile read_normals(
     const std::filesystem::path& path, bool y_down,
     const std::function<std::pmr::memory_resource*(const PictureShape&)>& memory = {});

@@ -3,19 +3,25 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 #include "core/parallel.h"
 
 namespace hada {
 namespace {
 
-// Of the ray that meets pixel (row, col).
+// Where the ray that meets pixel (row, col) is, y up, one unit in front of the pin-hole.
+Eigen::Vector2f ray_at(const PinHole& pin_hole, int row, int col) {
+  return {float((col + 0.5 - pin_hole.centre_px.x()) / pin_hole.focal_px.x()),
+          float((pin_hole.centre_px.y() - row - 0.5) / pin_hole.focal_px.y())};
+}
+
 float facing(const Eigen::Vector3f& normal, const std::optional<PinHole>& pin_hole, int row,
              int col) {
   if (!pin_hole) return normal.z();
-  const auto x = float((col + 0.5 - pin_hole->centre_px.x()) / pin_hole->focal_px.x());
-  const auto y = float((pin_hole->centre_px.y() - row - 0.5) / pin_hole->focal_px.y());
-  return normal.z() - normal.x() * x - normal.y() * y;
+  const Eigen::Vector2f ray = ray_at(*pin_hole, row, col);
+  return normal.z() - normal.x() * ray.x() - normal.y() * ray.y();
 }
 
 }  // namespace
@@ -54,6 +60,32 @@ Grid<float> facing_of(const NormalMap& normals, const Mask& mask,
     }
   });
   return result;
+}
+
+double farthest_off_axis_deg(const PinHole& pin_hole, const Mask& mask) {
+  float tangent = 0.0f;
+  for (const int row : {0, mask.rows() - 1}) {
+    for (const int col : {0, mask.cols() - 1}) {
+      tangent = std::max(tangent, ray_at(pin_hole, row, col).norm());
+    }
+  }
+  return std::atan(double(tangent)) * 180.0 / std::numbers::pi;
+}
+
+double share_hidden(const NormalMap& normals, const Mask& mask, const PinHole& pin_hole) {
+  constexpr double clearly = -0.1;  // sine of the angle; outlines are a little off
+  std::size_t hidden = 0;
+  std::size_t all = 0;
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (!mask(row, col)) continue;
+      const Eigen::Vector3f& normal = normals(row, col);
+      const float length = std::hypot(1.0f, ray_at(pin_hole, row, col).norm());
+      hidden += double(facing(normal, pin_hole, row, col)) < clearly * double(length) ? 1 : 0;
+      ++all;
+    }
+  }
+  return double(hidden) / double(std::max(all, std::size_t(1)));
 }
 
 void height_from_log_depth(Grid<float>& w, double distance) {

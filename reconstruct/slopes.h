@@ -43,6 +43,13 @@ SlopeMap slopes_of(const NormalMap& normals, const Mask& mask,
 Grid<float> facing_of(const NormalMap& normals, const Mask& mask,
                       const std::optional<PinHole>& pin_hole = {}, float least = least_facing);
 
+/// The largest angle between the optical axis and the ray to a pixel of the mask's frame, degrees.
+double farthest_off_axis_deg(const PinHole& pin_hole, const Mask& mask);
+
+/// Of the pixels of a mask, those whose normal looks away from the pin-hole by more than 6 degrees:
+/// none can be seen, so either normal or pin-hole is wrong.
+double share_hidden(const NormalMap& normals, const Mask& mask, const PinHole& pin_hole);
+
 /// z = D (1 - exp(-w / D)), in place, for w, z and D in one unit.
 void height_from_log_depth(Grid<float>& w, double distance);
 

@@ -23,6 +23,7 @@
 #include "reconstruct/integrate.h"
 #include "reconstruct/level.h"
 #include "reconstruct/remarks.h"
+#include "reconstruct/slopes.h"
 #include "reconstruct/turned_y.h"
 
 namespace hada {
@@ -51,14 +52,27 @@ void keep(Mask& mask, const Grid<float>& plane, float above) {
 // Above, about 60 bytes for each pixel are more than can be counted on to be free.
 constexpr std::size_t most_in_ram = std::size_t(1) << 26;
 
+void require_bright_pixel(const std::filesystem::path& path, const Grid<float>& picture,
+                          const Mask& asked) {
+  if (pixels_in(asked) > 0) return;
+  float brightest = 0.0f;
+  for (const float value : picture) brightest = std::max(brightest, value);
+  throw Error(fmt::format(
+      "{}: no pixel of this mask is brighter than half, the brightest is {:.2g} of white; paint "
+      "white what counts",
+      path.string(), brightest));
+}
+
 // What lies where, before anything is integrated.
 struct Input {
   Surface surface;
   IntegrateOptions options;
   double share_without_normal = 0.0;  // of the pixels that the mask asks for
   double share_without_weight = 0.0;  // of those with a normal: 0, below, or no number
-  Extent frame;                       // of the whole normal map
-  PixelBox box;                       // what the surface is of it
+  double share_away = 0.0;            // as of `NormalFile`
+  double share_off_length = 0.0;
+  Extent frame;  // of the whole normal map
+  PixelBox box;  // what the surface is of it
 };
 
 // A part of a map that lies where the map does, or the map itself if that is all of it.
@@ -99,9 +113,13 @@ Input read_input(const IntegrateArguments& arguments, DiskMemory& disk) {
   };
   NormalFile file = read_normals(arguments.normals, arguments.y_down, memory);
   Input input;
+  input.share_away = file.share_away;
+  input.share_off_length = file.share_off_length;
   if (arguments.mask) {
     Mask asked(file.mask.rows(), file.mask.cols(), 1, file.mask.memory());
-    keep(asked, read_plane(*arguments.mask, file.mask), 0.5f);
+    const Grid<float> picture = read_plane(*arguments.mask, file.mask);
+    keep(asked, picture, 0.5f);
+    require_bright_pixel(*arguments.mask, picture, asked);
     for (std::size_t i = 0; i < asked.size(); ++i) file.mask[i] = file.mask[i] && asked[i];
     const auto pixels = double(pixels_in(asked));
     if (pixels > 0.0) input.share_without_normal = 1.0 - double(pixels_in(file.mask)) / pixels;
@@ -167,6 +185,28 @@ std::vector<std::string> remarks_on(const Input& input, bool y_down) {
   if (input.share_without_weight > 0.0) {
     remarks.push_back(percent(input.share_without_weight) +
                       " of the pixels have a weight that is not above 0, and are left out");
+  }
+  constexpr double few = 0.01;
+  if (input.share_away > few) {
+    remarks.push_back(percent(input.share_away) +
+                      " of the normals look away from the camera and are left out; x, y and z must "
+                      "be its red, green and blue, and z point to the camera");
+  }
+  if (input.share_off_length > 0.5) {
+    remarks.push_back(percent(input.share_off_length) +
+                      " of the normals are no unit vectors: is this a normal map, stored as it is, "
+                      "not for the eye?");
+  }
+  if (const auto& pin_hole = input.options.pin_hole) {
+    constexpr double wide_deg = 60.0;
+    const double off_axis_deg = farthest_off_axis_deg(*pin_hole, surface.mask);
+    const double hidden = share_hidden(surface.normals, surface.mask, *pin_hole);
+    if (off_axis_deg > wide_deg || hidden > few) {
+      remarks.push_back(fmt::format(
+          "the camera sees the surface up to {:.0f} degrees off its axis, and {} of the normals "
+          "look away from it: focal length and centre must be in pixels of the normal map",
+          off_axis_deg, percent(hidden)));
+    }
   }
   constexpr double clearly = 4.0;
   if (const double gain = gain_of_turned_y(surface.normals, surface.mask); gain > clearly) {

@@ -86,6 +86,37 @@ TEST_F(BadNormals, SayWhatOfThemIsLeftOut) {
   EXPECT_NE(said.out.find("2 separate regions"), std::string::npos) << said.out;
 }
 
+TEST_F(BadNormals, SayWhatTheyHardlyCanMean) {
+  const auto said = [&](const std::string& words) {
+    return answer("integrate " + words + " -o " + file("out")).out;
+  };
+  const std::string good = said(file("normals.exr") + " --intrinsics " + file("K.txt"));
+  EXPECT_EQ(good.find("note"), std::string::npos) << good;
+  put(scratch / "mm.txt", "5 0 15 0 5 10 0 0 1");  // no focal length in pixels
+  const std::string wide = said(file("normals.exr") + " --intrinsics " + file("mm.txt"));
+  EXPECT_NE(wide.find("degrees off its axis"), std::string::npos) << wide;
+  Image map(20, 30, 3);
+  for (int row = 0; row < 20; ++row) {
+    for (int col = 0; col < 30; ++col) {
+      map.planes[0](row, col) = 0.6f;
+      map.planes[2](row, col) = row < 5 ? -0.8f : 0.8f;
+    }
+  }
+  write_exr(scratch / "away.exr", map);
+  EXPECT_NE(said(file("away.exr")).find("25 % of the normals look away"), std::string::npos);
+  for (float& z : map.planes[2]) z = 1.1f;
+  write_exr(scratch / "long.exr", map);
+  EXPECT_NE(said(file("long.exr")).find("no unit vectors"), std::string::npos);
+}
+
+TEST_F(BadNormals, WhoseMaskIsDarkAreToldHowDark) {
+  write_integer_image(scratch / "ones.png", flat_picture(20, 30, 1.0f / 255.0f), 8);
+  const Answer said = answer("integrate " + file("normals.exr") + " --mask " + file("ones.png") +
+                             " -o " + file("out"));
+  EXPECT_EQ(said.code, 2);
+  EXPECT_NE(said.err.find("brightest is 0.0039 of white"), std::string::npos) << said.err;
+}
+
 TEST_F(BadNormals, MapsOnTheDiskGiveTheSameBytes) {
   Image map(700, 900, 3);
   for (std::size_t i = 0; i < map.planes[0].size(); ++i) {

@@ -44,6 +44,29 @@ TEST(ReadNormals, LeavesOutWhatIsNoNormalTowardsTheCamera) {
   EXPECT_EQ(file.mask(0, 1), 0);
   EXPECT_EQ(file.mask(0, 2), 1);
   EXPECT_EQ(file.normals(0, 1), Eigen::Vector3f(Eigen::Vector3f::UnitZ()));
+  EXPECT_DOUBLE_EQ(file.share_away, 1.0 / 5.0);  // of those that are long enough
+  EXPECT_EQ(file.share_off_length, 0.0);
+}
+
+TEST(ReadNormals, SaysHowManyAreNoUnitVectors) {
+  const TemporaryFolder folder;
+  Image image = map_of(Eigen::Vector3f(0.6f, 0.0f, 0.8f), 1.0f, 0.0f);
+  image.planes[0](1, 1) = 1.0f;  // 1.28 long
+  write_exr(folder / "a.exr", image);
+  EXPECT_DOUBLE_EQ(read_normals(folder / "a.exr", false).share_off_length, 1.0 / 6.0);
+  // Written as a picture for the eye would be: 0.5 becomes 0.735.
+  write_integer_image(folder / "b.png", map_of(Eigen::Vector3f(0.735f, 0.735f, 1.0f), 1.0f, 0.0f),
+                      16);
+  EXPECT_EQ(read_normals(folder / "b.png", false).share_off_length, 1.0);
+}
+
+TEST(ReadNormals, RefusesFloatsThatAreCodedAsIntegersAre) {
+  const TemporaryFolder folder;
+  for (const Eigen::Vector3f& direction :
+       {Eigen::Vector3f(0.0f, 0.0f, 1.0f), Eigen::Vector3f(0.6f, -0.5f, 0.62f)}) {
+    write_exr(folder / "coded.exr", map_of(direction.normalized(), 0.5f, 0.5f));
+    EXPECT_THROW(read_normals(folder / "coded.exr", false), Error);
+  }
 }
 
 TEST(ReadNormals, RefusesAGreyPictureAndOneWithoutNormals) {

@@ -35,6 +35,23 @@ TEST(SlopesOf, SeesThroughAPinHoleWhatLogDepthDoes) {
   EXPECT_NEAR(slopes(3, 25).y(), (w(25.5, 3.5 - step) - w(25.5, 3.5 + step)) / (2 * step), 1e-6);
 }
 
+TEST(FarthestOffAxis, IsTheAngleOfTheFarthestCorner) {
+  // The centre of the last pixel is 30 px to the right of the axis and 40 px below it.
+  const PinHole pin_hole{{50.0, 50.0}, {10.5, 20.5}};
+  EXPECT_NEAR(farthest_off_axis_deg(pin_hole, Mask(61, 41, 1)), 45.0, 1e-4);
+}
+
+TEST(ShareHidden, CountsNormalsThatNoRayCanMeet) {
+  // Each leans 45 degrees to the right. No ray that goes out to the right by more than 45 + 5.7
+  // degrees meets it: those through the last three of ten columns.
+  const NormalMap normals(3, 10, Eigen::Vector3f(1.0f, 0.0f, 1.0f).normalized());
+  const PinHole pin_hole{{5.0, 5.0}, {0.5, 1.5}};
+  Mask mask(3, 10, 1);
+  EXPECT_NEAR(share_hidden(normals, mask, pin_hole), 0.3, 1e-12);
+  for (int row = 0; row < 3; ++row) mask(row, 9) = 0;
+  EXPECT_NEAR(share_hidden(normals, mask, pin_hole), 2.0 / 9.0, 1e-12);
+}
+
 TEST(PinHoleOf, KeepsTheOpticalAxisWhereThePictureIsCropped) {
   Camera camera{.extent = {.rows = 60, .cols = 80}, .focal_px = 500.0};
   EXPECT_FALSE(pin_hole_of(camera, {3, 7}));
