@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "reconstruct/box_sum.h"
+#include "reconstruct/edges.h"
 #include "reconstruct/slope_solver.h"
 
 namespace hada {
@@ -40,32 +41,39 @@ Eigen::Matrix2d slope_covariance(const Eigen::Vector3f& normal, double sigma) {
 // Slope errors on a lattice of square cells of `factor` pixels.
 struct Lattice {
   Mask mask;                          // cells with at least one pixel
-  Grid<float> pixels;                 // of a cell, that are inside the mask
+  Grid<float> counts;                 // sum of the weights of the pixels of a cell
+  std::optional<Grid<float>> weight;  // of a cell: the mean of those, where they have any
   Grid<Eigen::Matrix2f> root;         // Cholesky factor of the covariance of the mean slope
   Grid<float> variance_left_out_px;   // of the height, in octaves finer than the lattice, px^2
   std::optional<PriorHeights> prior;  // of errors: 0 where the height is known
 
+  // of_pixels: their weights, or null
   Lattice(const NormalMap& normals, const Grid<float>& normal_sigma, const Mask& inside, int factor,
-          const PriorHeights* known)
+          const PriorHeights* known, const Grid<float>* of_pixels)
       : mask((inside.rows() + factor - 1) / factor, (inside.cols() + factor - 1) / factor, 0),
-        pixels(mask.rows(), mask.cols()),
+        counts(mask.rows(), mask.cols()),
         root(mask.rows(), mask.cols(), Eigen::Matrix2f::Zero()),
         variance_left_out_px(mask.rows(), mask.cols()) {
     if (known) prior = known->zeros_of_cells(factor);
+    if (of_pixels) weight.emplace(mask.rows(), mask.cols(), 1.0f);
     for_each_index(mask.rows(), [&](int row) {
       for (int col = 0; col < mask.cols(); ++col) {
         Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+        double pixels = 0.0;
         double count = 0.0;
         for (int r = row * factor; r < std::min((row + 1) * factor, inside.rows()); ++r) {
           for (int c = col * factor; c < std::min((col + 1) * factor, inside.cols()); ++c) {
             if (!inside(r, c)) continue;
-            sum += slope_covariance(normals(r, c), normal_sigma(r, c));
-            count += 1.0;
+            const double counts_as = of_pixels ? double((*of_pixels)(r, c)) : 1.0;
+            sum += counts_as * counts_as * slope_covariance(normals(r, c), normal_sigma(r, c));
+            count += counts_as;
+            pixels += 1.0;
           }
         }
-        if (count == 0.0) continue;
+        if (pixels == 0.0) continue;
         mask(row, col) = 1;
-        pixels(row, col) = float(count);
+        counts(row, col) = float(count);
+        if (weight) (*weight)(row, col) = float(count / pixels);
         const Eigen::Matrix2d mean = sum / (count * count);
         const double first = std::sqrt(mean(0, 0));
         const double mixed = first > 0.0 ? mean(1, 0) / first : 0.0;
@@ -74,7 +82,7 @@ struct Lattice {
         // White slopes of variance v give a height of power v / k^2: v ln(k2 / k1) / (2 pi)
         // between two frequencies, whatever the direction.
         variance_left_out_px(row, col) =
-            float(0.5 * sum.trace() / count * std::log(factor) / (2.0 * std::numbers::pi));
+            float(0.5 * pixels * mean.trace() * std::log(factor) / (2.0 * std::numbers::pi));
       }
     });
   }
@@ -118,11 +126,11 @@ SlopeMap means(const SlopeMap& slopes, const Lattice& lattice, const Lattice& co
     const int end = std::min((row + 1) * coarse_factor, slopes.rows());
     for (int r = row * coarse_factor; r < end; ++r) {
       for (int c = 0; c < slopes.cols(); ++c) {
-        result(row, c / coarse_factor) += lattice.pixels(r, c) * slopes(r, c);
+        result(row, c / coarse_factor) += lattice.counts(r, c) * slopes(r, c);
       }
     }
     for (int col = 0; col < coarse.mask.cols(); ++col) {
-      if (coarse.mask(row, col)) result(row, col) /= coarse.pixels(row, col);
+      if (coarse.mask(row, col)) result(row, col) /= coarse.counts(row, col);
     }
   });
   return result;
@@ -132,7 +140,10 @@ SlopeMap means(const SlopeMap& slopes, const Lattice& lattice, const Lattice& co
 class DrawnHeights {
  public:
   DrawnHeights(const Lattice& lattice, Levelling levelling)
-      : lattice_(lattice), levelling_(levelling), solver_(lattice.mask) {
+      : lattice_(lattice),
+        levelling_(levelling),
+        solver_(lattice.mask,
+                lattice.weight ? std::optional(edge_weights(*lattice.weight)) : std::nullopt) {
     // A hundredth of the slope errors: heights err by more than they do.
     double squares = 0.0;
     for (const auto& root : lattice.root) squares += double(root.squaredNorm());
@@ -227,14 +238,14 @@ Grid<float> drawn_variance(const Lattice& lattice, const Lattice& coarse, Levell
 
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,
                          const Mask& mask, double pitch, Levelling levelling,
-                         const PriorHeights* prior) {
+                         const PriorHeights* prior, const Grid<float>* weight) {
   int factor = 1;
   const auto pixels =
       double(std::count_if(mask.begin(), mask.end(), [](auto inside) { return inside != 0; }));
   while (pixels / (double(factor) * factor) > most_cells) factor *= 2;
-  const Lattice lattice(normals, normal_sigma, mask, factor, prior);
+  const Lattice lattice(normals, normal_sigma, mask, factor, prior, weight);
 
-  const Lattice coarse(normals, normal_sigma, mask, coarse_factor * factor, prior);
+  const Lattice coarse(normals, normal_sigma, mask, coarse_factor * factor, prior, weight);
   const Grid<float> variance = drawn_variance(lattice, coarse, levelling);
 
   Grid<float> sigma(mask.rows(), mask.cols());

@@ -21,10 +21,11 @@ namespace hada {
 /// An error that all pixels share (a light that is off) bends the whole sheet and is not in here.
 ///
 /// prior         instead of levelling, where it is not null; its own heights are taken for exact
+/// weight        of each pixel, as `integrate` was given it, or null: all count alike
 /// normal_sigma  radians along each tangent axis
 /// returns       in the unit of `pitch`; 0 outside the mask
 Grid<float> height_sigma(const NormalMap& normals, const Grid<float>& normal_sigma,
                          const Mask& mask, double pitch, Levelling levelling,
-                         const PriorHeights* prior = nullptr);
+                         const PriorHeights* prior = nullptr, const Grid<float>* weight = nullptr);
 
 }  // namespace hada

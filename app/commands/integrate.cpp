@@ -262,7 +262,8 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
     terminal.step("drawing heights for their sigma");
     surface.height_sigma =
         height_sigma(surface.normals, surface.normal_sigma, surface.mask, surface.extent.pitch,
-                     levelling_named(arguments.levelling), prior ? &*prior : nullptr);
+                     levelling_named(arguments.levelling), prior ? &*prior : nullptr,
+                     input.options.weight.empty() ? nullptr : &input.options.weight);
   }
   surface.levelling = prior ? std::string(prior_levelling) : arguments.levelling;
 
