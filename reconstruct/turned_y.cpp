@@ -1,41 +1,74 @@
 #include "reconstruct/turned_y.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/quantile.h"
 
 namespace hada {
+namespace {
+
+// What the slopes along x, and those along y, add up to round a square.
+struct Circulation {
+  double along_x = 0.0;
+  double along_y = 0.0;
+};
+
+// Round the square of `side` steps whose upper left pixel is (row, col); nothing if it leaves the
+// mask. y is up, so the upper row comes first.
+std::optional<Circulation> circulation(const NormalMap& normals, const Mask& mask, int row, int col,
+                                       int side) {
+  Circulation sum;
+  const auto add = [&](int r, int c, int axis, double share, double& to) {
+    if (!mask(r, c)) return false;
+    const Eigen::Vector3f& n = normals(r, c);
+    to -= share * double(n[axis]) / double(n.z());
+    return true;
+  };
+  for (int i = 0; i <= side; ++i) {
+    const double share = i == 0 || i == side ? 0.5 : 1.0;  // the trapezoidal rule
+    const bool inside = add(row, col + i, 0, share, sum.along_x) &&
+                        add(row + side, col + i, 0, -share, sum.along_x) &&
+                        add(row + i, col + side, 1, share, sum.along_y) &&
+                        add(row + i, col, 1, -share, sum.along_y);
+    if (!inside) return {};
+  }
+  return sum;
+}
+
+// Of squares of one size; nothing if there are hardly any.
+std::optional<double> gain(const NormalMap& normals, const Mask& mask, int side) {
+  constexpr int enough_rows = 512;
+  const std::size_t enough = side > 1 ? 64 : 1;  // their medians scatter by a third then
+  const int step = std::max(side, mask.rows() / enough_rows);
+  std::vector<float> given, turned;  // squares of the circulation
+  for (int row = 0; row + side < mask.rows(); row += step) {
+    for (int col = 0; col + side < mask.cols(); col += side) {
+      const auto found = circulation(normals, mask, row, col, side);
+      if (!found) continue;
+      given.push_back(float(std::pow(found->along_x - found->along_y, 2)));
+      turned.push_back(float(std::pow(found->along_x + found->along_y, 2)));
+    }
+  }
+  if (given.size() < enough) return {};
+  const float nothing = 1e-12f;  // rounding
+  return double(median(std::move(given)) + nothing) / double(median(std::move(turned)) + nothing);
+}
+
+}  // namespace
 
 double gain_of_turned_y(const NormalMap& normals, const Mask& mask) {
   assert(normals.same_size(mask));
-  constexpr int enough_rows = 512;
-  const int step = std::max(1, mask.rows() / enough_rows);
-  std::vector<float> given, turned;  // squares of the curl
-  for (int row = 0; row + 1 < mask.rows(); row += step) {
-    for (int col = 0; col + 1 < mask.cols(); ++col) {
-      if (!mask(row, col) || !mask(row, col + 1) || !mask(row + 1, col) ||
-          !mask(row + 1, col + 1)) {
-        continue;
-      }
-      // Of each corner the slopes -x/z and -y/z; y is up, so the upper row comes first.
-      std::array<float, 4> p{}, q{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Eigen::Vector3f& n = normals(row + int(i / 2), col + int(i % 2));
-        p[i] = -n.x() / n.z();
-        q[i] = -n.y() / n.z();
-      }
-      const float along_y = (p[0] + p[1]) - (p[2] + p[3]);
-      const float along_x = (q[1] + q[3]) - (q[0] + q[2]);
-      given.push_back((along_y - along_x) * (along_y - along_x));
-      turned.push_back((along_y + along_x) * (along_y + along_x));
-    }
+  double clearest = 1.0;
+  for (const int side : {1, 4, 16}) {
+    const double found = gain(normals, mask, side).value_or(1.0);
+    if (std::abs(std::log(found)) > std::abs(std::log(clearest))) clearest = found;
   }
-  if (given.empty()) return 1.0;
-  const float nothing = 1e-12f;  // rounding
-  return double(median(std::move(given)) + nothing) / double(median(std::move(turned)) + nothing);
+  return clearest;
 }
 
 }  // namespace hada
