@@ -144,6 +144,7 @@ EdgeAware edge_aware_height(const SlopeMap& slopes, const Grid<float>& facing, c
     if (round > 1 && std::abs(w.energy - last) < options.least_change * last) break;
     last = w.energy;
     height = SlopeSolver(mask, std::move(w.weights)).height(w.rises, options.tolerance_px, 40);
+    if (options.done) options.done(round + 1);
   }
   const auto sides = weighted_by(height, slopes, facing, mask, options.sharpness, nullptr);
   find_parts(sides.weights, facing, mask, result);

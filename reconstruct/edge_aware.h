@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/surface.h"
@@ -12,7 +13,8 @@ struct EdgeAwareOptions {
   int max_rounds = 150;
   double least_change = 1e-4;  // relative, of the energy, where the rounds stop
   double tolerance_px = 1e-3;
-  const Grid<float>* weight = nullptr;  // of the slope of each pixel, > 0: 1 over its variance
+  const Grid<float>* weight = nullptr;     // of the slope of each pixel, > 0: 1 over its variance
+  std::function<void(int rounds)> done{};  // is told of every round
 };
 
 struct EdgeAware {

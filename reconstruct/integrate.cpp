@@ -108,10 +108,10 @@ constexpr double least_held_together = 0.98;
 // smooth  the height without jumps: parts that are cut off lie where that has them
 EdgeAware with_jumps(const NormalMap& normals, const Mask& mask, const Grid<float>& smooth,
                      const IntegrateOptions& options) {
-  EdgeAware found =
-      edge_aware_height(slopes_of(normals, mask, options.pin_hole, least_facing_at_jumps),
-                        facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask,
-                        {.weight = options.weight.empty() ? nullptr : &options.weight});
+  EdgeAware found = edge_aware_height(
+      slopes_of(normals, mask, options.pin_hole, least_facing_at_jumps),
+      facing_of(normals, mask, options.pin_hole, least_facing_at_jumps), mask,
+      {.weight = options.weight.empty() ? nullptr : &options.weight, .done = options.round_done});
   if (found.held_together < least_held_together) place_parts(found, smooth);
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,7 +18,8 @@ struct IntegrateOptions {
   int max_cycles = 100;
   Grid<float> weight{};  // of a pixel, > 0: 1 over its variance; empty: all count alike
   CycleDone done{};      // is told of every cycle of the solver
-  std::optional<PinHole> pin_hole{};  // absent: seen from straight above, at every pixel
+  std::function<void(int rounds)> round_done{};  // and of every round of the search for jumps
+  std::optional<PinHole> pin_hole{};             // absent: seen from straight above, at every pixel
 };
 
 /// The height whose differences agree best with the slopes of `normals`, zero-mean.

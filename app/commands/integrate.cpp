@@ -246,6 +246,9 @@ void integrate_command(const IntegrateArguments& arguments, const Terminal& term
   input.options.done = [&](int cycles, double error) {
     terminal.step(fmt::format("integrating: cycle {}, about {:.1g} px to go", cycles, error));
   };
+  input.options.round_done = [&](int rounds) {
+    terminal.step(fmt::format("looking for jumps: round {}", rounds));
+  };
   Integrated found = integrate_with_jumps(surface.normals, surface.mask, surface.extent.pitch,
                                           jumps_named(arguments.jumps), input.options);
   surface.height = std::move(found.height);

@@ -1,5 +1,7 @@
 #include "reconstruct/edge_aware.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "reconstruct/slope_solver.h"
@@ -33,6 +35,16 @@ TEST(EdgeAware, KeepsAStepThatItsPixelsAgreeOn) {
   const double inside_lower = found.height(70, 70) - found.height(70, 10);
   EXPECT_NEAR(inside_upper, 0.8 * 60.0, 0.8);  // least squares, which bends both, is off by several
   EXPECT_NEAR(inside_lower, 0.0, 0.8);
+}
+
+TEST(EdgeAware, TellsOfEveryRound) {
+  const Relief relief = waves(20, 20);
+  const Mask mask(20, 20, 1);
+  std::vector<int> told;
+  edge_aware_height(
+      slopes_of(relief.normals, mask), facing_of(relief.normals, mask), mask,
+      {.max_rounds = 3, .least_change = 0.0, .done = [&](int rounds) { told.push_back(rounds); }});
+  EXPECT_EQ(told, (std::vector<int>{1, 2, 3}));
 }
 
 TEST(EdgeAware, LetsPixelsCountAsTheyAreKnown) {
