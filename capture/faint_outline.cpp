@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Dense>
+
 #include "capture/bilinear.h"
 #include "core/quantile.h"
 
@@ -87,6 +89,80 @@ std::vector<Step> concentric_steps(const Grid<float>& picture, const Eigen::Vect
   return found;
 }
 
+// Where the picture rises (falls, for a negative sign) most steeply across the circle.
+struct RimPoint {
+  Eigen::Vector2d way;  // from the middle, unit
+  double off = 0.0;     // px beyond the circle
+  double rise = 0.0;    // per px
+  int octant = 0;
+};
+
+std::vector<RimPoint> rim_points(const Grid<float>& picture, const Circle& circle, double sign,
+                                 double window) {
+  constexpr double stride = 0.25;
+  const int most = int(std::lround(window / stride));
+  const int turns = std::clamp(int(2.0 * std::numbers::pi * circle.radius), 90, 720);
+  std::vector<RimPoint> points;
+  for (int i = 0; i < turns; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / turns;
+    RimPoint best{{std::cos(angle), std::sin(angle)}, 0.0, 0.0, octants * i / turns};
+    const Eigen::Vector2d far = circle.center + (circle.radius + window + 1.5) * best.way;
+    if (far.x() < 1 || far.y() < 1 || far.x() > picture.cols() - 1 || far.y() > picture.rows() - 1)
+      continue;
+    const auto rise_at = [&](int step) {
+      const double r = circle.radius + stride * step;
+      const Eigen::Vector2d outside = circle.center + (r + 0.75) * best.way;
+      const Eigen::Vector2d inside = circle.center + (r - 0.75) * best.way;
+      return sign *
+             (bilinear(picture, outside.x(), outside.y()) -
+              bilinear(picture, inside.x(), inside.y())) /
+             1.5;
+    };
+    double before = rise_at(-most), here = rise_at(1 - most);
+    for (int step = 1 - most; step < most; ++step) {
+      const double after = rise_at(step + 1);
+      if (here > best.rise && here >= before && here >= after) {
+        const double bend = before - 2.0 * here + after;
+        best.rise = here;
+        best.off = stride * (step + (bend < 0.0 ? 0.5 * (before - after) / bend : 0.0));
+      }
+      before = here;
+      here = after;
+    }
+    if (best.rise > 0.0) points.push_back(best);
+  }
+  return points;
+}
+
+// The circle through the steepest points: a coherent step is known to a pixel or two only, for it
+// saturates. Points of a faint rim count less, those of a bold one no more than the typical.
+Circle through_rim(const Grid<float>& picture, const Circle& start, double sign, double window,
+                   bool radius_known, int without_octant = -1) {
+  Circle circle = start;
+  for (const double share : {1.0, 1.0, 0.5, 0.5, 0.5, 0.5}) {
+    const auto points = rim_points(picture, circle, sign, share * window);
+    if (points.empty()) return start;
+    std::vector<double> rises;
+    for (const RimPoint& point : points) rises.push_back(point.rise);
+    const double typical = quantile(std::move(rises), 0.75);
+    Eigen::Matrix3d normal = 1e-9 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (const RimPoint& point : points) {
+      const double t = point.off / std::max(share * window, 1.0);
+      if (std::abs(t) >= 1.0 || point.octant == without_octant) continue;
+      const double clear = std::min(point.rise / typical, 1.0);
+      const double weight = clear * clear * (1.0 - t * t) * (1.0 - t * t);
+      const Eigen::Vector3d jacobian(point.way.x(), point.way.y(), radius_known ? 0.0 : 1.0);
+      normal += weight * jacobian * jacobian.transpose();
+      right += weight * point.off * jacobian;
+    }
+    const Eigen::Vector3d step = normal.ldlt().solve(right);
+    circle.center += step.head<2>();
+    circle.radius += step[2];
+  }
+  return circle;
+}
+
 }  // namespace
 
 std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& start,
@@ -149,13 +225,17 @@ std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& st
     return std::pair(at, now);
   };
   const auto [found, coherent] = settled(place, 0.5 * reach, -1);
-  Circle outline{found.head<2>(), found[2], std::clamp(coherent, 0.0, 1.0), 0.0, 0.0};
+  const Circle rough{found.head<2>(), found[2], std::clamp(coherent, 0.0, 1.0), 0.0, 0.0};
+  const double window = 1.5 * reach;
+  const bool known = radius_px.has_value();
+  Circle outline = through_rim(picture, rough, sign, window, known);
   // How well it is known, by leaving out one octant at a time: a rim is bright on one side and hard
   // to see on the other, and neighbouring radii share their errors.
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   std::array<Eigen::Vector3d, octants> without;
   for (int octant = 0; octant < octants; ++octant) {
-    without[std::size_t(octant)] = settled(found, 0.25 * reach, octant).first;
+    const Circle other = through_rim(picture, outline, sign, window, known, octant);
+    without[std::size_t(octant)] = {other.center.x(), other.center.y(), other.radius};
     mean += without[std::size_t(octant)] / octants;
   }
   double squares = 0.0;
