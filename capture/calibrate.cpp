@@ -196,6 +196,12 @@ Calibration calibrate(const Photographs& given) {
   for (std::size_t s = 0; s < calibration.readings.size(); ++s) {
     calibration.readings[s].lights = refined.seen[s];
   }
+  if (!refined.sample_believed) {
+    calibration.remarks.push_back(
+        "What lies beside the spheres is shaded as no matte sample is under the lights that the "
+        "spheres see, and was not asked for them: say where the sample is (\"sample_box_px\" or "
+        "\"mask\" in capture.json), or expose more.");
+  }
   calibration.errors = refined.errors;
   calibration.strengths_measured = refined.strengths_measured;
   calibration.disagreement = refined.disagreement;

@@ -230,7 +230,7 @@ void check_strengths(const Photographs& linear, const std::vector<SphereReading>
 }  // namespace
 
 Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings,
-                  const std::vector<Eigen::Vector3d>& colours) {
+                  const std::vector<Eigen::Vector3d>& colours, bool ask_sample) {
   const auto greys = greys_of(linear, colours);
   const double count = std::min(700.0, most_values / double(greys.size()));
   Evidence all;
@@ -245,7 +245,7 @@ Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& r
   const Mask mask = sheet_mask(linear, greys, readings);
   constexpr std::size_t fewest_lights = 5;  // with four and less a sheet agrees to nearly anything
   const bool has_sample = std::any_of(mask.begin(), mask.end(), [](auto m) { return m != 0; });
-  if (has_sample && greys.size() >= fewest_lights) {
+  if (ask_sample && has_sample && greys.size() >= fewest_lights) {
     all.sheet = sheet_evidence(linear, greys, mask, count);
   }
   if (has_sample) all.sheet.center = middle_of(mask, linear.camera.extent);

@@ -44,12 +44,13 @@ struct Evidence {
   SheetEvidence sheet;
 };
 
-/// linear    the photographs, with linear values
-/// readings  the spheres, each read by itself
-/// colours   of each light, the strength of each channel over that in grey; divided out, so that a
-///           coloured sample shows the same strengths as a grey sphere
-/// throws    Error if there is no sample, and the matte spheres leave a light's strength open
+/// linear      the photographs, with linear values
+/// readings    the spheres, each read by itself
+/// colours     of each light, the strength of each channel over that in grey; divided out, so that
+///             a coloured sample shows the same strengths as a grey sphere
+/// ask_sample  false: the sample has its middle, but no points
+/// throws      Error if there is no sample, and the matte spheres leave a light's strength open
 Evidence evidence(const Photographs& linear, const std::vector<SphereReading>& readings,
-                  const std::vector<Eigen::Vector3d>& colours);
+                  const std::vector<Eigen::Vector3d>& colours, bool ask_sample = true);
 
 }  // namespace hada

@@ -16,6 +16,7 @@ struct RefinedLights {
   bool near = false;                     // whether the lamps have a position
   bool strengths_measured = true;        // false: neither a matte sphere nor a sample shows them
   double sheet_ambient = 0.0;            // left on the sample, in grey
+  bool sample_believed = true;           // false: it speaks against all spheres, and was not asked
 };
 
 /// One least-squares problem over directions, strengths and, for near lamps, distances; over place
@@ -24,6 +25,9 @@ struct RefinedLights {
 ///
 /// Lamps are taken to be near where the evidence puts them nearer than a hundred times half the
 /// picture's diagonal, all together; or as the owner of the pictures says (`CaptureFile::lamps`).
+///
+/// A sample under which most lights would lie more than 2.5 standard deviations from where the
+/// spheres see them is no sample that could tell: then the spheres are asked alone.
 ///
 /// linear    the photographs, with linear values
 /// readings  each sphere by itself
