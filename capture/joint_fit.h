@@ -31,6 +31,7 @@ struct JointState {
   std::vector<SphereState> spheres;
   std::vector<std::array<double, 4>> sheet;  // albedo times normal, and height, at each point
   double sheet_sigma = 1.0;
+  double mirror_weight = 1.0;        // of mirrors' highlights and outlines beside the rest
   double sheet_ambient = 0.0;        // what all of the sheet shows without a lamp
   double sheet_ambient_sigma = 0.0;  // how large that may be; 0: there is none
   double table = 0.0;                // height of what the spheres rest on; the sheet lies at z = 0

@@ -8,8 +8,9 @@
 namespace hada {
 namespace {
 
-ceres::LossFunction* robust() {
-  return new ceres::CauchyLoss(JointProblem::robust_width);
+ceres::LossFunction* robust(double weight = 1.0) {
+  auto* cauchy = new ceres::CauchyLoss(JointProblem::robust_width);
+  return new ceres::ScaledLoss(cauchy, weight, ceres::TAKE_OWNERSHIP);
 }
 
 constexpr JointProblem::Row other{JointProblem::Row::Kind::other, 0};
@@ -88,7 +89,7 @@ void JointProblem::add_chrome(JointState& state, const ChromeEvidence& seen) {
   using Cost = ceres::AutoDiffCostFunction<ChromeCost, 2, 3, 1, 1, 3>;
   add(new Cost(new ChromeCost{seen.ray, seen.offset, across(vector_of(light.direction.data())),
                               &sphere.sigma}),
-      robust(), {Row::Kind::chrome, 0},
+      robust(state.mirror_weight), {Row::Kind::chrome, 0},
       {light.direction.data(), &light.inverse_distance, &state.table, sphere.place.data()});
 }
 
@@ -145,9 +146,12 @@ void JointProblem::add_priors(JointState& state) {
       other, {&state.table});
   for (SphereState& sphere : state.spheres) {
     using Place = ceres::AutoDiffCostFunction<OutlineCost, 3, 3, 1>;
+    const bool matte = problem.HasParameterBlock(sphere.surface.data());
+    const double weight = matte ? 1.0 : state.mirror_weight;
     add(new Place(new OutlineCost{vector_of(sphere.prior.data()), sphere.prior_sigma, state.eye}),
-        nullptr, other, {sphere.place.data(), &state.table});
-    if (!problem.HasParameterBlock(sphere.surface.data())) continue;
+        new ceres::ScaledLoss(nullptr, weight, ceres::TAKE_OWNERSHIP), other,
+        {sphere.place.data(), &state.table});
+    if (!matte) continue;
     using Surface = ceres::AutoDiffCostFunction<PriorCost<2>, 2, 2>;
     add(new Surface(new PriorCost<2>{{sphere.surface[0], 0.5}, {10.0, 0.3}}), nullptr, other,
         {sphere.surface.data()});

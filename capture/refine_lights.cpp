@@ -90,6 +90,41 @@ double strain(const JointState& state, const std::vector<SphereReading>& reading
 // are lit or shown as no matte sample is, and drew lights by 8 and 11 degrees: at 3.3 and more.
 constexpr double most_strain = 2.5;
 
+// Every light as each sphere alone sees it, everything else as it was found.
+std::vector<std::vector<Light>> seen_alone(const JointState& state, const Evidence& all,
+                                           const std::vector<SphereReading>& readings) {
+  std::vector<std::vector<Light>> seen;
+  for (std::size_t which = 0; which < readings.size(); ++which) {
+    seen.push_back(readings[which].lights);
+    for (std::size_t k = 0; k < seen[which].size(); ++k) {
+      Light& light = seen[which][k];
+      if (!std::isfinite(light.direction_sigma)) continue;
+      light.direction = own_direction(state, all, which, k);
+    }
+  }
+  return seen;
+}
+
+// Whether a mirror and a matte sphere contradict each other beyond what the mirror's outline and
+// spots are known to.
+bool contradict(const JointState& state, const Evidence& all,
+                const std::vector<SphereReading>& readings) {
+  std::vector<double> sigmas;
+  for (const SphereReading& reading : readings) {
+    if (reading.sphere.kind != SphereKind::chrome) continue;
+    for (const Light& light : reading.lights) {
+      if (std::isfinite(light.direction_sigma)) sigmas.push_back(light.direction_sigma);
+    }
+  }
+  if (sigmas.empty() || all.matte.empty()) return false;
+  constexpr double notable = 0.0175;  // radians: a degree
+  const double most = std::max(notable, 1.5 * median(std::move(sigmas)));
+  return disagreement(state, seen_alone(state, all, readings)) > most;
+}
+
+// As many as a matte sphere or the sample has pixels.
+constexpr double outweighs_all = 1000.0;
+
 // Directions of independent errors, the largest first, until hardly anything is left.
 std::vector<LightErrorMode> modes_of(const Eigen::MatrixXd& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
@@ -125,8 +160,9 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
                              const std::vector<Eigen::Vector3d>& colours, double ambient) {
   const Extent& extent = linear.camera.extent;
   const double half = 0.5 * std::hypot(extent.width(), extent.height());
-  const auto settled_on = [&](const Evidence& all) {
+  const auto settled_on = [&](const Evidence& all, double mirror_weight = 1.0) {
     JointState first = first_state(all, readings, lights, linear.camera);
+    first.mirror_weight = mirror_weight;
     first.sheet_ambient_sigma = 0.5 * ambient;
     return settled(all, std::move(first), half, linear.file.lamps);
   };
@@ -139,6 +175,13 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
     refined.sample_believed = false;
     all = evidence(linear, readings, colours, false);
     Settled again = settled_on(all);
+    state = std::move(again.state);
+    model = again.model;
+  }
+  // A mirror's light hangs on its outline alone; the shading of matte things on a law that hundreds
+  // of their pixels break alike.
+  if (contradict(state, all, readings)) {
+    Settled again = settled_on(all, outweighs_all);
     state = std::move(again.state);
     model = again.model;
   }
@@ -168,15 +211,7 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
         direction_sigma(covariance.block<3, 3>(at, at), light.direction, arriving.norm() / mean);
   }
   refined.errors = modes_of(covariance);
-  refined.seen.resize(readings.size());
-  for (std::size_t which = 0; which < readings.size(); ++which) {
-    refined.seen[which] = readings[which].lights;
-    for (std::size_t k = 0; k < lights.size(); ++k) {
-      Light& light = refined.seen[which][k];
-      if (!std::isfinite(light.direction_sigma)) continue;
-      light.direction = own_direction(state, all, which, k);
-    }
-  }
+  refined.seen = seen_alone(state, all, readings);
   refined.disagreement = disagreement(state, refined.seen);
   return refined;
 }

@@ -26,6 +26,8 @@ struct RefinedLights {
 /// Lamps are taken to be near where the evidence puts them nearer than a hundred times half the
 /// picture's diagonal, all together; or as the owner of the pictures says (`CaptureFile::lamps`).
 ///
+/// Where a mirror and a matte sphere contradict each other by more than a degree and 1.5 standard
+/// deviations of the mirror, its highlights outweigh all shading: they hang on its outline alone.
 /// A sample under which most lights would lie more than 2.5 standard deviations from where the
 /// spheres see them is no sample that could tell: then the spheres are asked alone.
 ///

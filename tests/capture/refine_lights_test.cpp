@@ -94,6 +94,27 @@ TEST(RefinedLights, DoNotAskAWallThatLampsLightUnevenly) {
       }));
 }
 
+TEST(RefinedLights, BelieveAMirrorBeforeAStainedBall) {
+  Photographs photographs = table_scene({matte_at(-18.0, 10.0), chrome_at(-19.0, -9.0, 14.0)});
+  for (Image& image : photographs.images) {
+    Grid<float>& plane = image.planes[0];
+    for (int row = 0; row < plane.rows(); ++row) {
+      for (int col = 0; col < plane.cols(); ++col) {
+        const Eigen::Vector2d way = Eigen::Vector2d(col + 0.5, row + 0.5) - Eigen::Vector2d(60, 50);
+        if (way.norm() < 25.0) plane(row, col) *= float(0.75 + 0.25 * std::tanh(way.x() / 8.0));
+      }
+    }
+  }
+  const Calibration found = calibrate(photographs);
+  const auto truth = six_lights();
+  double mean = 0.0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    mean += angle_deg(found.lights[k].direction, truth[k].direction) / 6.0;
+  }
+  // A spot that is known to 0.3 px of 35, and the mirror doubles the angle.
+  EXPECT_LT(mean, 1.0);
+}
+
 TEST(RefinedLights, KnowsStrengthsWithoutAMatteSphere) {
   const Calibration found = calibrate(table_scene({chrome_at(-18.0, 0.0, 12.0)}));
   EXPECT_TRUE(found.strengths_measured);
