@@ -59,6 +59,17 @@ Circle mirror_outline(const Overview& all, const Circle& circle, std::optional<d
   return known;
 }
 
+// The outline beside a mask, which is drawn by a hand or a threshold to a pixel, where plain edges
+// and the outline of a mirror agree on it; else that of the mask.
+Circle beside_mask(const Overview& all, const Circle& mask) {
+  const Circle edges = refined(all.mean_log, mask, 0.03);
+  Circle seen = mirror_outline(all, edges, std::nullopt);
+  const double off = (seen.center - edges.center).norm() + std::abs(seen.radius - edges.radius);
+  if (edges.coverage < 0.55 || off > 0.3) return mask;  // px
+  seen.coverage = mask.coverage;
+  return seen;
+}
+
 std::optional<Circle> disc_of(const Mask& mask) {
   if (mask.empty()) return std::nullopt;
   double count = 0.0;
@@ -192,9 +203,12 @@ class Selection {
   bool add(const Candidate& candidate, const CaptureFile::SphereHint& hint) {
     Circle circle = candidate.circle;
     const SphereKind kind = hint.kind.value_or(candidate.kind);
-    if (kind == SphereKind::chrome && !candidate.given) {
-      circle = mirror_outline(
-          all_, circle, known_radius_px(hint.diameter_mm, photographs_.camera, circle.center));
+    if (kind == SphereKind::chrome && candidate.given) {
+      circle = beside_mask(all_, circle);
+    } else if (kind == SphereKind::chrome) {
+      const Camera& camera = photographs_.camera;
+      circle =
+          mirror_outline(all_, circle, known_radius_px(hint.diameter_mm, camera, circle.center));
     }
     if (crosses_frame(circle, photographs_.camera.extent)) {
       found.rejected.push_back(described(circle) +

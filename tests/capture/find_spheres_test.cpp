@@ -124,5 +124,31 @@ TEST(FindSpheres, BelievesTheMaskOfASphereAlone) {
   EXPECT_NEAR(found.spheres[0].radius_px, 30.0, 0.1);
 }
 
+// Half of the rim before a bright wall, the other before black cloth, and a mask a pixel too low.
+TEST(FindSpheres, KnowsAClearOutlineBetterThanAMask) {
+  Photographs photographs = table_scene({chrome_at(-10.0, 0.0, 20.0)});
+  const Eigen::Vector2d center(100.0, 100.0);
+  for (std::size_t k = 0; k < photographs.images.size(); ++k) {
+    Grid<float>& plane = photographs.images[k].planes[0];
+    for (int row = 0; row < plane.rows(); ++row) {
+      for (int col = 0; col < plane.cols(); ++col) {
+        const double r = (Eigen::Vector2d(col + 0.5, row + 0.5) - center).norm();
+        const double outside = std::clamp(r - 49.5, 0.0, 1.0);
+        const double spot = (Eigen::Vector2d(col - 90.0 - 3.0 * double(k), row - 90.0)).norm();
+        const double inside = spot < 2.0 ? 0.8 : 0.002;
+        plane(row, col) = float((1.0 - outside) * inside + outside * (row < 110 ? 0.01 : 0.002));
+      }
+    }
+  }
+  photographs.mask = disc_mask(photographs.camera.extent, {100.0, 101.0}, 50.5);
+  const auto found = find_spheres(photographs);
+  ASSERT_EQ(found.spheres.size(), 1u);
+  EXPECT_EQ(found.spheres[0].kind, SphereKind::chrome);
+  EXPECT_LT((found.spheres[0].center_px - center).norm(), 0.1);
+  // On a logarithm the middle of a step of a factor of five lies where 31 % of a pixel are wall:
+  // 0.19 px further in.
+  EXPECT_NEAR(found.spheres[0].radius_px, 49.81, 0.1);
+}
+
 }  // namespace
 }  // namespace hada
