@@ -161,12 +161,11 @@ Circle fitted_circle(const std::vector<Eigen::Vector2d>& points, Circle circle, 
 }  // namespace
 
 std::vector<Circle> circle_candidates(const Grid<float>& picture, const CircleSearch& search) {
-  constexpr double longest_side = 400.0;
   const int longer = std::max(picture.rows(), picture.cols());
   const int shorter = std::min(picture.rows(), picture.cols());
   // A sphere of the smallest radius must keep a few pixels.
-  const double scale =
-      std::clamp(std::max(longest_side / longer, 5.0 / search.smallest_radius), 1.0 / longer, 1.0);
+  const double scale = std::clamp(
+      std::max(search.longest_side / longer, 5.0 / search.smallest_radius), 1.0 / longer, 1.0);
   cv::Mat reduced;
   if (scale < 1.0) {
     cv::resize(view(picture), reduced, {}, scale, scale, cv::INTER_AREA);

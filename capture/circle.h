@@ -21,12 +21,13 @@ struct CircleSearch {
   double smallest_radius = 8.0;  // px
   double largest_radius = 1e9;   // px; at most half the shorter side counts
   int most = 60;                 // candidates returned
+  double longest_side = 400.0;   // px; larger pictures are reduced, as far as the smallest allows
 };
 
 /// Circles that the edges of `picture` may belong to, the best supported first.
 ///
 /// Every edge pixel votes for the centres that lie along its gradient (Hough), on a copy of the
-/// picture reduced to at most 400 px a side. Edges are judged against their surroundings, so that a
+/// reduced copy of the picture. Edges are judged against their surroundings, so that a
 /// faint outline on a plain table counts as much as a bold one beside a print.
 ///
 /// Source: Ballard, Pattern Recognition 13 (1981); Kimme, Ballard, Sklansky, CACM 18 (1975).

@@ -97,11 +97,11 @@ std::optional<Circle> disc_of(const Mask& mask) {
   return disc;
 }
 
-std::vector<Circle> circles_in(const Overview& all, const CircleSearch& search) {
+std::vector<Circle> circles_in(const Overview& all, const Extent& extent) {
   std::vector<Circle> circles;
-  for (const Grid<float>* picture : {&all.mean_log, &all.brightest_log}) {
-    for (const Circle& rough : circle_candidates(*picture, search)) {
-      const Circle sharp = refined(*picture, rough, 0.12);
+  const auto add = [&](const Grid<float>& picture, const CircleSearch& search) {
+    for (const Circle& rough : circle_candidates(picture, search)) {
+      const Circle sharp = refined(picture, rough, 0.12);
       if (sharp.coverage < 0.35) continue;
       const bool known = std::any_of(circles.begin(), circles.end(), [&](const Circle& other) {
         return (sharp.center - other.center).norm() + std::abs(sharp.radius - other.radius) <
@@ -109,6 +109,17 @@ std::vector<Circle> circles_in(const Overview& all, const CircleSearch& search) 
       });
       if (!known) circles.push_back(sharp);
     }
+  };
+  CircleSearch fine;
+  fine.smallest_radius = std::max(6.0, 0.015 * std::min(extent.rows, extent.cols));
+  // The outline of a mirror on a dark backdrop may be a step of the file high: it is coherent only
+  // once noise and the blocks of a JPEG are averaged.
+  CircleSearch coarse = fine;
+  coarse.longest_side = 140.0;
+  coarse.smallest_radius = 0.05 * std::max(extent.rows, extent.cols);
+  for (const CircleSearch& search : {fine, coarse}) {
+    add(all.mean_log, search);
+    add(all.brightest_log, search);
   }
   return circles;
 }
@@ -264,10 +275,7 @@ FoundSpheres find_spheres(const Photographs& photographs) {
   std::vector<Overview> views;
   views.push_back(overview(photographs));
   if (!photographs.encoding_known) views.push_back(overview(photographs, !photographs.linear));
-  const Extent& extent = photographs.camera.extent;
-  CircleSearch search;
-  search.smallest_radius = std::max(6.0, 0.015 * std::min(extent.rows, extent.cols));
-  const auto circles = circles_in(views.front(), search);
+  const auto circles = circles_in(views.front(), photographs.camera.extent);
   std::vector<Candidate> candidates(circles.size());
   for_each_index(int(circles.size()), [&](int i) {
     candidates[std::size_t(i)] = judged(photographs, views, circles[std::size_t(i)]);

@@ -1,5 +1,6 @@
 #include "capture/circle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,20 @@ TEST(Circle, CandidatesHoldTheDiscThatWasDrawn) {
   // The vote counts whole pixels and steps of the radius of 2 %.
   EXPECT_LT((candidates.front().center - center).norm(), 2.5);
   EXPECT_NEAR(candidates.front().radius, 41.6, 2.0);
+}
+
+TEST(Circle, CandidatesOfAReducedPictureHoldWhatNoiseHides) {
+  const Eigen::Vector2d center(161.0, 120.0);
+  const Grid<float> noisy = disc(center, 90.0, 0.6);
+  const auto finds = [&](const CircleSearch& search) {
+    const auto candidates = circle_candidates(noisy, search);
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Circle& circle) {
+      // Reduced, a pixel is 2.3 wide, and the radius grows in steps of 2 %.
+      return (circle.center - center).norm() < 7.0 && std::abs(circle.radius - 90.0) < 7.0;
+    });
+  };
+  EXPECT_FALSE(finds({}));
+  EXPECT_TRUE(finds({.smallest_radius = 16.0, .longest_side = 140.0}));
 }
 
 TEST(Circle, RefinementFindsTheOutlineToATenthOfAPixel) {
