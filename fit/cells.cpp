@@ -18,6 +18,7 @@ struct Sums {
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;  // steps
   double power = 0.0, near = 0.0, far = 0.0;
   int count = 0;
+  std::vector<int> ordinates;
 };
 
 Cell cell_from(const Sums& sums, const Spectrum& spectrum, double far_share) {
@@ -34,7 +35,8 @@ Cell cell_from(const Sums& sums, const Spectrum& spectrum, double far_share) {
           .count = sums.count,
           .xx = spectrum.window_x + scatter(sums.xx, sums.x, sums.x) / (width * width),
           .xy = scatter(sums.xy, sums.x, sums.y) / (width * height),
-          .yy = spectrum.window_y + scatter(sums.yy, sums.y, sums.y) / (height * height)};
+          .yy = spectrum.window_y + scatter(sums.yy, sums.y, sums.y) / (height * height),
+          .ordinates = sums.ordinates};
 }
 
 }  // namespace
@@ -75,10 +77,10 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
       if (radius >= options.reach * 0.5 / extent.pitch) continue;
       const double power = spectrum.power(row, col);
       const double x = col, y = -i;  // fx, fy in steps; rows run downward
-      const Sums alone{
-          x, y, x * x, x * y, y * y, power, leakage.near(row, col), leakage.far(row, col), 1};
+      const int ordinate = row * (extent.cols / 2 + 1) + col;
+      const double near = leakage.near(row, col), far = leakage.far(row, col);
       if (radius < inner) {
-        append(alone);
+        append({x, y, x * x, x * y, y * y, power, near, far, 1, {ordinate}});
         continue;
       }
       Sums& sums = outer[place_of(i, col, fx, fy)];
@@ -86,13 +88,14 @@ std::vector<Cell> cells_of(const Spectrum& spectrum, const Leakage& leakage,
       const double side = fy < 0.0 ? -1.0 : 1.0;
       sums.x += side * x;
       sums.y += side * y;
-      sums.xx += alone.xx;
-      sums.xy += alone.xy;
-      sums.yy += alone.yy;
+      sums.xx += x * x;
+      sums.xy += x * y;
+      sums.yy += y * y;
       sums.power += power;
-      sums.near += alone.near;
-      sums.far += alone.far;
+      sums.near += near;
+      sums.far += far;
       ++sums.count;
+      sums.ordinates.push_back(ordinate);
     }
   }
   for (const auto& [place, sums] : outer) append(sums);

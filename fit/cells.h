@@ -20,7 +20,8 @@ struct Cell {
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
-  double correction = 1.0;  // of the model's power, where that window is not exact
+  double correction = 1.0;          // of the model's power, where that window is not exact
+  std::vector<int> ordinates = {};  // row * (cols / 2 + 1) + col of each, 0 <= col <= cols / 2
 };
 
 struct CellOptions {

@@ -129,7 +129,7 @@ Explanation best_explanation(const Wrinkle<>& kind, const std::vector<Cell>& cel
 std::vector<Likeness> classify(const Surface& surface, const std::vector<Wrinkle<>>& kinds,
                                const ClassifyOptions& options) {
   const Observation seen = observe(surface);
-  const double kappa = seen.spectrum.independence;
+  const double kappa = seen.of_starts().independence;
   std::vector<Explanation> explanations;
   for (const Wrinkle<>& kind : kinds) {
     explanations.push_back(best_explanation(kind, seen.coarse, kappa, options));

@@ -14,6 +14,9 @@ namespace {
 
 constexpr int fewest_pixels = 32;   // along each side: fewer hold too few ordinates to tell shapes
 constexpr double safe_reach = 0.6;  // share of Nyquist up to which aliases of anything are small
+// Share of the highest power, of cells under the stronger taper: its leakage lies lower.
+constexpr double faintest_steep = 1e-8;
+constexpr double much_hidden = 0.05;  // share of the ordinates that leakage may hide
 
 /// Taking off the mean empties frequency 0 alone. A plane takes 6 / pi^2 of the power one step away
 /// with it; a quadratic nearly all of that, and some of it two steps away. A prior takes nothing.
@@ -56,6 +59,17 @@ void give_back(const Losses& losses, Spectrum& spectrum) {
       spectrum.power(row, col) /= losses.power_left(spectrum.fx(col), spectrum.fy(row));
     }
   }
+}
+
+double ordinates_of(const std::vector<Cell>& cells) {
+  double sum = 0.0;
+  for (const Cell& cell : cells) sum += cell.count;
+  return sum;
+}
+
+/// How many ordinates the half plane holds up to a share of the Nyquist frequency.
+double ordinates_within(double reach, const Spectrum& spectrum) {
+  return 0.5 * std::numbers::pi * 0.25 * reach * reach * double(spectrum.power.size());
 }
 
 double mean_square(const Grid<float>& values, const Mask& mask) {
@@ -129,10 +143,18 @@ Observation observe(const Surface& surface, double lens_blur_px) {
                           .most_leakage = 1.0,
                           .faintest = 0.0});
   const double safe = std::min(reach, safe_reach);
-  seen.fine = cells_of(seen.spectrum, leaked, {.empty_steps = hole, .reach = safe});
-  seen.coarse = cells_of(
-      seen.spectrum, leaked,
-      {.empty_steps = hole, .reach = safe, .inner_bins = 10.0, .growth = 0.12, .faintest = 1e-6});
+  const auto cut = [&](const Spectrum& spectrum, const Leakage& far, double faintest) {
+    seen.fine = cells_of(spectrum, far, {.empty_steps = hole, .reach = safe, .faintest = faintest});
+    seen.coarse = cells_of(
+        spectrum, far,
+        {.empty_steps = hole, .reach = safe, .inner_bins = 10.0, .growth = 0.12, .faintest = 1e-6});
+  };
+  cut(seen.spectrum, leaked, CellOptions().faintest);
+  if (ordinates_of(seen.fine) < (1.0 - much_hidden) * ordinates_within(safe, seen.spectrum)) {
+    seen.steep = power_spectrum(map, surface.mask, surface.extent, {.taper = 1.0});
+    if (photographed || lens_blur_px > 0.0) give_back(losses, *seen.steep);
+    cut(*seen.steep, leakage(*seen.steep), faintest_steep);
+  }
   if (photographed) {
     const double variance = slope_noise(surface, losses, seen.full);
     for (auto* cells : {&seen.coarse, &seen.fine, &seen.full}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace hada {
 /// What the wrinkle fit looks at.
 struct Observation {
   Spectrum spectrum;
+  /// Under a stronger taper, which hides less behind its leakage and knows less of the rest, where
+  /// leakage of the usual one hides much; `coarse` and `fine` are then cut from this.
+  std::optional<Spectrum> steep;
   std::vector<Cell> coarse;
   std::vector<Cell> fine;    // to where aliases may begin
   std::vector<Cell> full;    // to the Nyquist frequency
@@ -19,6 +23,9 @@ struct Observation {
   std::vector<Cell> square;  // to the corners, where fx and fy are both Nyquist's
   std::string levelling = "offset";  // of the heights, as `Surface` tells it
   std::vector<std::string> remarks;
+
+  /// What `coarse` and `fine` are cut from.
+  const Spectrum& of_starts() const { return steep ? *steep : spectrum; }
 };
 
 /// The spectrum of a surface in cells of three kinds. For a surface that comes from photographs,

@@ -66,18 +66,18 @@ std::vector<Cell> corrected(std::vector<Cell> cells, const Wrinkle<>& wrinkle,
   const auto model = densities(wrinkle, cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Cell& cell = cells[i];
-    if (cell.count != 1) continue;
-    const double side = cell.fx < 0.0 ? -1.0 : 1.0;  // f and -f hold the same power
-    const int row = int(std::lround(-side * cell.fy * extent.height()));
-    const int col = int(std::lround(side * cell.fx * extent.width()));
-    cell.correction =
-        std::max(expected((row + extent.rows) % extent.rows, col), 0.0) / (model[i] - cell.noise);
+    double sum = 0.0;
+    for (const int ordinate : cell.ordinates) sum += expected[std::size_t(ordinate)];
+    const double sent = model[i] - cell.leakage - cell.noise;
+    // What sends nothing of its own receives from elsewhere alone: no factor can say so.
+    cell.correction = sent > 0.0 ? std::max(sum / cell.count - cell.leakage, 0.0) / sent : 0.0;
   }
   return cells;
 }
 
-std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrinkle, double pitch,
-                          const TrustOptions& options) {
+std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrinkle,
+                          const Extent& extent, const TrustOptions& options) {
+  const double pitch = extent.pitch;
   std::vector<Cell> kept;
   const auto model = densities(wrinkle, cells);
   const double faintest = options.faintest * *std::max_element(model.begin(), model.end());
@@ -93,7 +93,8 @@ std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrink
       aliased += 2.0 * std::sqrt(itself * psd(noise, cell.fx, image_fy));
     };
     for_each_noise(wrinkle, add);
-    const double most = options.most_correction;
+    const double steps = std::hypot(cell.fx * extent.width(), cell.fy * extent.height());
+    const double most = steps < options.slow ? options.most_correction : options.most_gained;
     if (model[i] > faintest && cell.correction < most && cell.correction * most > 1.0 &&
         aliased <= options.most_aliased * model[i] &&
         cell.leakage <= options.most_leakage * model[i])

@@ -20,15 +20,18 @@ Grid<double> taper_overlap(const Grid<double>& taper);
 Grid<double> expected_power(const Wrinkle<>& wrinkle, const Grid<double>& overlap,
                             const Extent& extent);
 
-/// `cells` with the `correction` that makes the model exact at the cells of a single ordinate,
-/// where the window is as wide as the peaks that it sees.
+/// `cells` with the `correction` that makes the model exact for `wrinkle`: the mean of its expected
+/// periodogram over the ordinates of a cell. A Gaussian window is none where peaks or flanks of the
+/// spectrum are as narrow as the taper's or a cell.
 std::vector<Cell> corrected(std::vector<Cell> cells, const Wrinkle<>& wrinkle,
                             const Grid<double>& overlap, const Extent& extent);
 
 struct TrustOptions {
   double most_aliased = 0.005;   // share of a cell's power that aliases may add
   double most_leakage = 0.05;    // share that leakage may add
-  double most_correction = 2.0;  // by the window, up or down
+  double most_correction = 2.0;  // by the window, up or down, of the slowest ordinates
+  double most_gained = 1.3;      // of others, which see side lobes and no wider peak
+  double slow = 8.0;             // steps from 0 up to which ordinates are the slowest
   double faintest = 1e-9;        // share of the highest power below which rounding takes over
 };
 
@@ -38,7 +41,7 @@ struct TrustOptions {
 /// strong would make the spectrum look flatter than it is. A map of points, a map of pixel means
 /// and a map that was made on its own grid repeat their spectrum beyond Nyquist in three different
 /// ways; the bound on aliases holds for each.
-std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrinkle, double pitch,
-                          const TrustOptions& options = {});
+std::vector<Cell> trusted(const std::vector<Cell>& cells, const Wrinkle<>& wrinkle,
+                          const Extent& extent, const TrustOptions& options = {});
 
 }  // namespace hada

@@ -31,7 +31,7 @@ constexpr double visible_floor = 0.3;    // share of the lowest power
 /// A wrinkle that explains as many components one after the other, each where most is left over.
 Wrinkle<> grown(int components, const Observation& seen) {
   auto wrinkle = wrinkle_starts(seen.spectrum, 1, 1).front();
-  const auto residual = log_ratios(seen.coarse, seen.spectrum.independence);
+  const auto residual = log_ratios(seen.coarse, seen.of_starts().independence);
   while (int(wrinkle.components.size()) < components) {
     const auto ending = endings_of(std::vector{wrinkle}, int(seen.coarse.size()), residual,
                                    {.max_iterations = 30, .tolerance = 1e-3})
@@ -113,7 +113,7 @@ RidgeEvidence add_ridges(Fit<Wrinkle<>>& fit, const Surface& surface, const FitP
 
 /// The best of several starts, over the cells that aliases cannot reach.
 Fit<Wrinkle<>> fit_from(const std::vector<Wrinkle<>>& starts, const Observation& seen) {
-  const double kappa = seen.spectrum.independence;
+  const double kappa = seen.of_starts().independence;
   const auto& shape = starts.front();
   auto rough = groups_of(shape,
                          endings_of(starts, int(seen.coarse.size()), log_ratios(seen.coarse, kappa),
@@ -176,8 +176,8 @@ std::vector<std::string> remarks_on(const Fit<Wrinkle<>>& fit, const Extent& ext
 double bic(const Fit<Wrinkle<>>& fit, const Observation& seen) {
   double ordinates = 0.0;
   for (const Cell& cell : seen.fine) ordinates += cell.count;
-  return 2.0 * fit.cost +
-         double(spectral_fields(fit.material)) * std::log(seen.spectrum.independence * ordinates);
+  return 2.0 * fit.cost + double(spectral_fields(fit.material)) *
+                              std::log(seen.of_starts().independence * ordinates);
 }
 
 }  // namespace
@@ -191,6 +191,7 @@ Wrinkle<> canonical(Wrinkle<> wrinkle) {
 
 WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options) {
   const Observation seen = observe(surface, options.lens_blur_px);
+  const StartCells exact(seen);
   const int starts = std::max(options.starts, 6);
   const int fewest = options.components > 0 ? options.components : 1;
   const int most = options.components > 0 ? options.components : options.most_components;
@@ -207,6 +208,7 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
                                         : with_one_more(best.material, seen.fine,
                                                         densities(best.material, seen.fine)));
     auto fit = fit_from(from, seen);
+    exact.settle(fit);
     if (components > fewest) {
       if (bic(fit, seen) >= bic(best, seen)) break;
       fewer.push_back(std::move(best));
@@ -214,17 +216,17 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
     best = std::move(fit);
   }
   const bool picture = !surface.has_height();
-  const auto goodness = [&](const std::vector<Cell>& cells) {
-    return goodness_of_fit(cells, densities(best.material, cells), seen.spectrum.independence,
+  const auto goodness = [&](const std::vector<Cell>& cells, const Spectrum& spectrum) {
+    return goodness_of_fit(cells, densities(best.material, cells), spectrum.independence,
                            spectral_fields(best.material));
   };
-  best.goodness_p = goodness(seen.fine);
+  best.goodness_p = goodness(seen.fine, seen.of_starts());
   if (!picture || best.goodness_p > hopeless) {
     tell("refining " + std::to_string(best.material.components.size()) +
          " over the whole spectrum");
     best = refined_and_told(std::move(best), std::move(fewer), seen);
     // The coarse spectrum of a small piece passes for wrinkles easily.
-    const double whole = picture ? goodness(seen.whole) : 1.0;
+    const double whole = picture ? goodness(seen.whole, seen.spectrum) : 1.0;
     if (whole < no_wrinkles) best.goodness_p = whole;
   }
   if (picture && best.goodness_p < least_goodness) {

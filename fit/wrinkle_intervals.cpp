@@ -16,7 +16,10 @@ namespace {
 
 // The ends of +-1.96 sigma and of its exponential differ by a twelfth of it, and what is long
 // beside its map is known the less the longer it is.
-constexpr double asymmetric = 0.08;   // sigma of a logarithm
+constexpr double asymmetric = 0.08;  // sigma of a logarithm
+// Times that the variance of a field may be what independent ordinates would leave of it: where a
+// field is not known to a factor, its covariance is no measure.
+constexpr double most_shared = 10.0;
 constexpr double apart = 3.0;         // deviations between axes that are surely two
 constexpr double faint_floor = 1e-3;  // share of the lowest density, where nothing is seen of it
 constexpr double quarter_turn = 0.5 * std::numbers::pi;  // an angle may be anything
@@ -76,7 +79,8 @@ ResidualFunction residuals_on(std::vector<Cell> cells, const Wrinkle<>& shape, d
 
 std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
                                                  const std::vector<Cell>& cells,
-                                                 const Spectrum& spectrum, const SlowWaves& slow) {
+                                                 const Spectrum& spectrum, const SlowWaves& slow,
+                                                 const FaintCells& faint) {
   Grid<double> overlap;  // found when it is needed
   const auto best = pack(fit.material);
   const auto plain_bounds = solver_bounds_of(fit.material);
@@ -105,7 +109,7 @@ std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
     double& middle = packed[std::size_t(index)];
     double step = std::min(sigma, 1.0);
     if (index == floor && on_bound) {  // along a logarithm, nothing could be seen from there
-      middle = std::log(faint_floor * lowest_of(densities(fit.material, cells)));
+      middle = std::log(faint_floor * lowest_of(densities(fit.material, faint.cells)));
       step = 1.0;
     }
     if (part == angle) {
@@ -117,6 +121,8 @@ std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
     const ResidualsWhileHeld residuals = [&](double held) {
       auto there = packed;
       there[std::size_t(index)] = held;
+      if (index == floor && on_bound)
+        return residuals_on(faint.cells, fit.material, faint.independence);
       if (index == floor) return residuals_on(cells, fit.material, spectrum.independence);
       const auto held_there = unpack(fit.material, there.data());
       return residuals_on(
@@ -125,9 +131,10 @@ std::vector<FieldInterval> intervals_near_bounds(const Fit<Wrinkle<>>& fit,
     };
     const double shared =
         unaware(index, index) > 0.0 ? fit.covariance(index, index) / unaware(index, index) : 1.0;
-    const double rise = shared * (round ? rise_of_two : rise_of_one);
-    const auto [low, high] = profile_interval(packed, index, step, rise, bounds, int(cells.size()),
-                                              residuals, keeping_order(part, index));
+    const double rise = std::min(shared, most_shared) * (round ? rise_of_two : rise_of_one);
+    const int count = int(index == floor && on_bound ? faint.cells.size() : cells.size());
+    const auto [low, high] = profile_interval(packed, index, step, rise, bounds, count, residuals,
+                                              keeping_order(part, index));
     if (part == angle) {
       intervals.push_back({path, low, high});
     } else {

@@ -107,7 +107,7 @@ TEST(SlowWaves, LeavesShortWavesAlone) {
   fit.material = truth;
   fit.cost = HUGE_VAL;
   const SlowWaves slow(seen.spectrum, seen.levelling);
-  const auto cells = refine(fit, seen, slow);
+  const auto cells = refine(fit, seen, slow).cells;
   const double kappa = seen.spectrum.independence;
   const auto jacobian =
       jacobian_of(fit.material, int(cells.size()), whitened_logarithms(cells, kappa));
