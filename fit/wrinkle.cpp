@@ -9,6 +9,7 @@
 #include "fit/observe.h"
 #include "fit/ridge_sheets.h"
 #include "fit/solve.h"
+#include "fit/unit_map.h"
 #include "fit/whittle.h"
 #include "fit/wrinkle_refine.h"
 #include "fit/wrinkle_starts.h"
@@ -190,7 +191,8 @@ Wrinkle<> canonical(Wrinkle<> wrinkle) {
 }
 
 WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options) {
-  const Observation seen = observe(surface, options.lens_blur_px);
+  const MapUnits units = units_of(surface);
+  const Observation seen = observe(in_units(surface, units), options.lens_blur_px);
   const StartCells exact(seen);
   const int starts = std::max(options.starts, 6);
   const int fewest = options.components > 0 ? options.components : 1;
@@ -237,6 +239,7 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
   best.remarks = seen.remarks;
   for (auto& remark : remarks_on(best, seen.spectrum.extent))
     best.remarks.push_back(std::move(remark));
+  give_back_units(best, units);
   forget_ridges(best);
   RidgeEvidence ridges;
   if (options.ridges) ridges = add_ridges(best, surface, options.progress);

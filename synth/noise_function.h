@@ -13,11 +13,11 @@ template <class Owner, class T>
 constexpr auto kernel_fields() {
   using F = Field<Owner, T>;
   return std::array{
-      F{"amplitude_mm", &Owner::amplitude_mm, 1e-6, 100.0, Scale::log, "mm",
+      F{"amplitude_mm", &Owner::amplitude_mm, 1e-9, 1000.0, Scale::log, "mm",
         "standard deviation of the height"},
-      F{"long_mm", &Owner::long_mm, 1e-3, 1000.0, Scale::log, "mm",
+      F{"long_mm", &Owner::long_mm, 1e-5, 1e4, Scale::log, "mm",
         "standard deviation of the kernel along its long axis"},
-      F{"short_mm", &Owner::short_mm, 1e-3, 1000.0, Scale::log, "mm",
+      F{"short_mm", &Owner::short_mm, 1e-5, 1e4, Scale::log, "mm",
         "standard deviation of the kernel across its long axis"},
       F{"angle_rad", &Owner::angle_rad, 0.0, std::numbers::pi, Scale::half_turn, "rad",
         "direction of the long axis, counter-clockwise from +x, modulo pi"},

@@ -35,7 +35,7 @@ struct RepeatedNoise {
         longer,
         shorter,
         angle,
-        F{"period_mm", &RepeatedNoise::period_mm, 1e-3, 1000.0, Scale::log, "mm",
+        F{"period_mm", &RepeatedNoise::period_mm, 1e-5, 1e4, Scale::log, "mm",
           "distance after which it comes back"},
         F{"period_angle_rad", &RepeatedNoise::period_angle_rad, 0.0, std::numbers::pi,
           Scale::half_turn, "rad", "direction in which it comes back, like angle_rad"},
