@@ -14,6 +14,7 @@
 #include "fit/wrinkle_refine.h"
 #include "fit/wrinkle_starts.h"
 #include "measure/measured_map.h"
+#include "measure/plane_share.h"
 
 namespace hada {
 namespace {
@@ -237,6 +238,10 @@ WrinkleFit fit_wrinkle(const Surface& surface, const WrinkleFitOptions& options)
     best.goodness_p = goodness_p;
   }
   best.remarks = seen.remarks;
+  if (!picture && plane_share(surface.height, surface.mask) > much_plane) {
+    best.remarks.push_back(
+        "Most of the height is a plane, which was fitted as long wrinkles: take it off first.");
+  }
   for (auto& remark : remarks_on(best, seen.spectrum.extent))
     best.remarks.push_back(std::move(remark));
   give_back_units(best, units);

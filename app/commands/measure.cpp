@@ -12,6 +12,7 @@
 #include "app/telling.h"
 #include "io/output.h"
 #include "io/surface_file.h"
+#include "measure/plane_share.h"
 
 namespace hada {
 namespace {
@@ -88,6 +89,10 @@ void measure_command(const MeasureArguments& arguments, const Terminal& terminal
     output.commit();
   }
   tell(measurement, terminal);
+  if (surface.has_height() && plane_share(surface.height, surface.mask) > much_plane) {
+    terminal.say(
+        "note: most of the height is a plane: these numbers tell of its tilt; take it off");
+  }
   if (arguments.out) terminal.say("wrote " + arguments.out->string());
   terminal.result(text);
 }

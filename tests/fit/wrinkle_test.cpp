@@ -1,5 +1,6 @@
 #include "fit/wrinkle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -131,6 +132,20 @@ TEST(FitWrinkle, TakesNoLeakageForWrinklesWhereNothingElseHidesIt) {
   EXPECT_LT(std::abs(length / maps), 3.0 / std::sqrt(maps));
   EXPECT_LT(std::abs(breadth / maps), 3.0 / std::sqrt(maps));
   EXPECT_GE(held, maps - 2);
+}
+
+TEST(FitWrinkle, SaysWhereMostOfTheMapIsAPlane) {
+  auto surface = sample(truth, 64, 1);
+  const auto tilted = [](const Fit<Wrinkle<>>& fit) {
+    return std::count_if(fit.remarks.begin(), fit.remarks.end(), [](const auto& remark) {
+      return remark.starts_with("Most of the height");
+    });
+  };
+  EXPECT_EQ(tilted(fit_wrinkle(surface, {.components = 1})), 0);
+  for (int row = 0; row < 64; ++row) {
+    for (int col = 0; col < 64; ++col) surface.height(row, col) += float(0.05 * (col - 31.5));
+  }
+  EXPECT_EQ(tilted(fit_wrinkle(surface, {.components = 1})), 1);
 }
 
 TEST(FitWrinkle, WritesWhatItFindsAsEveryoneWould) {
