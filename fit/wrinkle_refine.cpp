@@ -65,8 +65,8 @@ double StartCells::cost(const Wrinkle<>& wrinkle) const {
                              deviances(cells, seen_.of_starts().independence));
 }
 
-bool StartCells::tell_floor(const Wrinkle<>& wrinkle) const {
-  return cost(without_floor(wrinkle)) > cost(wrinkle) + surely_dearer;
+bool StartCells::tell_floor(const Wrinkle<>& wrinkle, double cost_with) const {
+  return wrinkle.floor_mm4 > 0.0 && cost(without_floor(wrinkle)) > cost_with + surely_dearer;
 }
 
 void StartCells::settle(Fit<Wrinkle<>>& fit) const {
@@ -97,10 +97,13 @@ RefinedCells refine(Fit<Wrinkle<>>& fit, const Observation& seen, const SlowWave
   const double first_cost = first.cost(fit.material);
   RefinedCells found{seen.fine, &seen.of_starts()};
   Wrinkle<> at = fit.material;
+  double cost = first_cost;
+  bool floor_told = false;
   int astray = 0;
   for (int k = 0; k < most_corrections && astray < most_astray; ++k) {
     // By a floor that is none, cells would be trusted that hold leakage alone.
-    if (!first.tell_floor(at)) at.floor_mm4 = 0.0;
+    floor_told = floor_told || first.tell_floor(at, cost);
+    if (!floor_told) at.floor_mm4 = 0.0;
     auto cells = trusted(slow.levelled(corrected(seen.full, at, overlap, extent), at), at, extent);
     if (int(cells.size()) < fewest_per_field * fields) break;
     const auto better =
@@ -109,7 +112,8 @@ RefinedCells refine(Fit<Wrinkle<>>& fit, const Observation& seen, const SlowWave
     const double moved = change(at, better.material);
     at = canonical(better.material);
     // A model must not leave out the cells that speak against it; the next may bring it back.
-    const bool strays = first.cost(at) > most_worse * first_cost;
+    cost = first.cost(at);
+    const bool strays = cost > most_worse * first_cost;
     astray = strays ? astray + 1 : 0;
     if (strays) continue;
     found = {std::move(cells), &seen.spectrum};

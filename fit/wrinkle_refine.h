@@ -27,8 +27,8 @@ class StartCells {
   /// The deviance that `wrinkle` leaves on them.
   double cost(const Wrinkle<>& wrinkle) const;
 
-  /// Whether they tell its floor from none.
-  bool tell_floor(const Wrinkle<>& wrinkle) const;
+  /// Whether they tell its floor from none; `cost_with` is that of `wrinkle`.
+  bool tell_floor(const Wrinkle<>& wrinkle, double cost_with) const;
 
   /// `fit` moved to where they want it, if that costs less, and its cost.
   void settle(Fit<Wrinkle<>>& fit) const;
