@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -38,5 +39,9 @@ std::vector<Circle> circle_candidates(const Grid<float>& picture, const CircleSe
 /// window   how far from the start's radius the edge may be, as a share of it
 /// returns  a coverage of 0 if fewer than a quarter of the radii agree on any circle
 Circle refined(const Grid<float>& picture, const Circle& start, double window);
+
+/// The circle that a mask is, to half a pixel; nothing if more than 3 % of it lies outside one of
+/// its area around its middle.
+std::optional<Circle> disc_of(const Mask& mask);
 
 }  // namespace hada

@@ -70,33 +70,6 @@ Circle beside_mask(const Overview& all, const Circle& mask) {
   return seen;
 }
 
-std::optional<Circle> disc_of(const Mask& mask) {
-  if (mask.empty()) return std::nullopt;
-  double count = 0.0;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (int row = 0; row < mask.rows(); ++row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      if (!mask(row, col)) continue;
-      count += 1.0;
-      sum += Eigen::Vector2d(col + 0.5, row + 0.5);
-    }
-  }
-  Circle disc;
-  disc.center = sum / count;
-  disc.radius = std::sqrt(count / 3.14159265358979);
-  double inside = 0.0;
-  for (int row = 0; row < mask.rows(); ++row) {
-    for (int col = 0; col < mask.cols(); ++col) {
-      const Eigen::Vector2d at(col + 0.5, row + 0.5);
-      inside += mask(row, col) && (at - disc.center).norm() <= disc.radius;
-    }
-  }
-  if (inside < 0.97 * count) return std::nullopt;
-  disc.coverage = 1.0;
-  disc.scatter = 0.5;
-  return disc;
-}
-
 std::vector<Circle> circles_in(const Overview& all, const Extent& extent) {
   std::vector<Circle> circles;
   const auto add = [&](const Grid<float>& picture, const CircleSearch& search) {

@@ -78,5 +78,23 @@ TEST(Circle, CoverageIsTheShareOfTheOutlineThatIsSeen) {
   EXPECT_NEAR(half.coverage, 0.5, 0.02);
 }
 
+TEST(DiscOf, IsTheCircleOfARoundMaskOnly) {
+  Mask round(80, 100, 0), square = round;
+  for (int row = 0; row < 80; ++row) {
+    for (int col = 0; col < 100; ++col) {
+      const Eigen::Vector2d way = Eigen::Vector2d(col + 0.5, row + 0.5) - Eigen::Vector2d(52, 41);
+      round(row, col) = way.norm() < 30.0;
+      square(row, col) = way.cwiseAbs().maxCoeff() < 26.0;
+    }
+  }
+  const auto disc = disc_of(round);
+  ASSERT_TRUE(disc);
+  // Some 190 border pixels are counted whole or not at all: 0.3 sqrt(190) px of area.
+  EXPECT_LT((disc->center - Eigen::Vector2d(52, 41)).norm(), 0.05);
+  EXPECT_NEAR(disc->radius, 30.0, 0.05);
+  EXPECT_FALSE(disc_of(square));  // its corners, 6 % of it
+  EXPECT_FALSE(disc_of(Mask()));
+}
+
 }  // namespace
 }  // namespace hada

@@ -12,6 +12,15 @@
 namespace hada {
 namespace {
 
+double mean_error_deg(const Calibration& found) {
+  const auto truth = six_lights();
+  double mean = 0.0;
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    mean += angle_deg(found.lights[k].direction, truth[k].direction) / double(truth.size());
+  }
+  return mean;
+}
+
 TEST(RefinedLights, TakesLampsForDistantThatAre) {
   const Calibration found = calibrate(table_scene({matte_at(-18.0, 0.0)}));
   for (const Light& light : found.lights) EXPECT_FALSE(light.position.has_value());
@@ -80,13 +89,8 @@ TEST(RefinedLights, DoNotAskAWallThatLampsLightUnevenly) {
     }
   }
   const Calibration found = calibrate(photographs);
-  const auto truth = six_lights();
-  double mean = 0.0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    mean += angle_deg(found.lights[k].direction, truth[k].direction) / 6.0;
-  }
   // The sphere alone: a spot that is known to 0.3 px of 30, and the mirror doubles the angle.
-  EXPECT_LT(mean, 1.15);
+  EXPECT_LT(mean_error_deg(found), 1.15);
   EXPECT_FALSE(found.strengths_measured);
   EXPECT_TRUE(
       std::any_of(found.remarks.begin(), found.remarks.end(), [](const std::string& remark) {
@@ -106,13 +110,8 @@ TEST(RefinedLights, BelieveAMirrorBeforeAStainedBall) {
     }
   }
   const Calibration found = calibrate(photographs);
-  const auto truth = six_lights();
-  double mean = 0.0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    mean += angle_deg(found.lights[k].direction, truth[k].direction) / 6.0;
-  }
   // A spot that is known to 0.3 px of 35, and the mirror doubles the angle.
-  EXPECT_LT(mean, 1.0);
+  EXPECT_LT(mean_error_deg(found), 1.0);
 }
 
 TEST(RefinedLights, KnowsStrengthsWithoutAMatteSphere) {
