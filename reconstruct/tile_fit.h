@@ -78,8 +78,9 @@ struct Inverse {
     // The product of all eigenvalues over that of the two largest is the smallest, nearly.
     const Lanes pairs = xx + yy + zz;
     const Lanes sum = m.xx + m.yy + m.zz;
-    const LaneBits solvable =
-        (determinant > all(least_spread * least_spread) * sum * pairs) & (sum > all(0.0f));
+    // Of a single direction the pairs are rounding, of either sign.
+    const LaneBits solvable = (pairs > all(least_spread * least_spread) * sum * sum) &
+                              (determinant > all(least_spread * least_spread) * sum * pairs);
     const Lanes scale =
         chosen(solvable, all(1.0f), all(0.0f)) / chosen(solvable, determinant, all(1.0f));
     xx *= scale;

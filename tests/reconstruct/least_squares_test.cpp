@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "tiles.h"
@@ -32,6 +33,21 @@ TEST(FitLeastSquares, ReturnsNothingForLightsInOnePlane) {
   fit_least_squares(tile);
   EXPECT_EQ(found_in(tile, 5).norm(), 0.0);
   EXPECT_GT(found_in(tile, 4).norm(), 0.5);
+}
+
+TEST(FitLeastSquares, ReturnsNothingForASingleSample) {
+  // Of one direction the determinants are rounding, of either sign.
+  for (int turn = 0; turn < 200; ++turn) {
+    std::vector<Light> lights = ring_of_lights(8);
+    const Eigen::AngleAxisd by(0.005 * turn, Eigen::Vector3d(1.0, 2.0, 0.5).normalized());
+    for (Light& light : lights) light.direction = by * light.direction;
+    Tile tile = matte_tile(lights, 8);
+    for (int i = 0; i < tile.pixels; ++i) {
+      for (int k = 0; k < 8; ++k) tile.trust[tile.at(k, i)] = k == i ? 1.0f : 0.0f;
+    }
+    fit_least_squares(tile);
+    for (int i = 0; i < tile.pixels; ++i) EXPECT_EQ(found_in(tile, i).norm(), 0.0) << turn << i;
+  }
 }
 
 TEST(FitPseudoInverse, AgreesWithLeastSquaresInDoublePrecision) {
