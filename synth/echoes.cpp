@@ -86,7 +86,9 @@ Echoes echoes_of(const Step<>& step, double repeats) {
 Echoes none_across(const Step<>& step, const WrinkleComponent<>& kernel) {
   const Step<> turned{-step.y, step.x};
   const double share = form(kernel, step, turned) / form(kernel, step, step);
-  return {{turned.x - share * step.x, turned.y - share * step.y}, {1.0}};
+  const Step<> across{turned.x - share * step.x, turned.y - share * step.y};
+  const double scale = spacing / std::sqrt(form(kernel, across, across));
+  return {{scale * across.x, scale * across.y}, {1.0}};
 }
 
 void EchoLattice::divide(int one, int other) {
@@ -113,8 +115,9 @@ double EchoLattice::reach_b() const {
 double EchoLattice::least_frequency() const {
   const double determinant = aa_ * bb_ - ab_ * ab_;
   double least = HUGE_VAL;
-  for (int a = 0; a <= 3; ++a) {
-    for (int b = -3; b <= 3; ++b) {
+  constexpr int farthest = 12;  // of rows that are much closer along one step than the other
+  for (int a = 0; a <= farthest; ++a) {
+    for (int b = -farthest; b <= farthest; ++b) {
       if (a == 0 && b <= 0) continue;
       least = std::min(least, (bb_ * a * a - 2.0 * ab_ * a * b + aa_ * b * b) / determinant);
     }
@@ -161,11 +164,11 @@ EchoLattice::Nodes EchoLattice::nodes_near(const Extent& window,
     }
   }
   Nodes nodes{std::int64_t(std::floor(low_a)), std::int64_t(std::floor(low_b)), {}};
-  const int margin_a = (int(one_.loudness.size()) - 1) * per_one_;
-  const int margin_b = (int(other_.loudness.size()) - 1) * per_other_;
-  const double rows = std::ceil(high_a) - double(nodes.first_a) + 1.0 + 2.0 * margin_a;
-  const double cols = std::ceil(high_b) - double(nodes.first_b) + 1.0 + 2.0 * margin_b;
-  if (rows * cols > 1e9) {
+  const auto margin_a = std::int64_t(one_.loudness.size() - 1) * per_one_;
+  const auto margin_b = std::int64_t(other_.loudness.size() - 1) * per_other_;
+  const double rows = std::ceil(high_a) - double(nodes.first_a) + 1.0 + 2.0 * double(margin_a);
+  const double cols = std::ceil(high_b) - double(nodes.first_b) + 1.0 + 2.0 * double(margin_b);
+  if (rows * cols > 3e8) {
     throw Error(
         "synthesis: a window of so many pixels, and noise that comes back so often, take too much "
         "memory; ask for a smaller window, or for a surface that tiles");

@@ -39,7 +39,7 @@ class EchoLattice {
                                          double pitch);
 
   /// Adds noise of the kernel's amplitude, were it not for the echoes, to a window around `middle`.
-  /// throws  Error if there are more than 1e9 nodes in reach of the window and of its echoes
+  /// throws  Error if there are more than 3e8 nodes in reach of the window and of its echoes
   void add_to(Grid<float>& field, const Extent& window, const std::array<double, 2>& middle,
               std::uint64_t key) const;
 

@@ -155,10 +155,10 @@ void add_passes(Grid<float>& field, WrinkleComponent<> kernel, const Echoes& one
   const double places = (2.0 * last + 1.0) * (2.0 * other_last + 1.0);
   if (places * double(field.size()) > most) {
     throw Error(
-        "synthesis: a window of so many pixels, and noise finer than they that comes back "
-        "at " +
+        "synthesis: a window of so many pixels, and noise that comes back at " +
         std::to_string(std::int64_t(places)) +
-        " places, take too long; ask for a smaller window, or for a surface that tiles");
+        " places and is finer than a pixel, or comes back twice one way, take too long; ask for a "
+        "smaller window, or for a surface that tiles");
   }
   for (int m = -other_last; m <= other_last; ++m) {
     for (int n = -last; n <= last; ++n) {

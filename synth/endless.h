@@ -23,8 +23,8 @@ namespace hada {
 ///          gives it back in a tile is not local, and left out here); windows of one pitch that lie
 ///          a whole number of pixels apart agree where they overlap. They do not tile, and their
 ///          mean is not taken off.
-/// throws   Error if noise that comes back, and is finer than a pixel or often heard, would take
-///          minutes or much memory
+/// throws   Error if noise that comes back, and is finer than a pixel, comes back twice one way or
+///          is heard very often, would take minutes or much memory
 Grid<float> endless_field(const Wrinkle<>& wrinkle, const Extent& window,
                           const std::array<double, 2>& middle, Seed seed);
 

@@ -102,6 +102,7 @@ TEST(EchoLattice, IsNoneWhereStepsAreOneDirectionOrKernelsFarFinerThanAPixel) {
 TEST(EchoLattice, RefusesMoreNodesThanAMemoryHolds) {
   const auto lattice = EchoLattice::find(slanted_kernel(), echoes_of({90.0, 0.0}, 30.0),
                                          echoes_of({0.0, 90.0}, 30.0), window.pitch);
+  ASSERT_TRUE(lattice);
   Grid<float> field(window.rows, window.cols);
   EXPECT_THROW(lattice->add_to(field, window, {0.0, 0.0}, 1), Error);
 }
