@@ -95,7 +95,7 @@ RefinedCells refine(Fit<Wrinkle<>>& fit, const Observation& seen, const SlowWave
   const int fields = spectral_fields(fit.material);
   const StartCells first(seen);
   const double first_cost = first.cost(fit.material);
-  RefinedCells found{seen.fine, &seen.of_starts()};
+  RefinedCells found{first.exact_for(fit.material), &seen.of_starts()};
   Wrinkle<> at = fit.material;
   double cost = first_cost;
   bool floor_told = false;
