@@ -100,7 +100,9 @@ LitCapture lit_capture(Photographs photographs,
   terminal.step("finding the sample");
   lit.photographs = without_pictures(photographs);
   lit.stack = light_stack(std::move(photographs), lit.lights.lights, lit.spheres);
-  const bool known_strengths = lit.lights.strengths_measured || balance_strengths(lit.stack);
+  const bool may_ask = !lit.calibration || lit.calibration->sample_believed;
+  const bool known_strengths =
+      lit.lights.strengths_measured || (may_ask && balance_strengths(lit.stack));
   lit.lights.errors = rescaled(lit.lights.errors, lit.lights.lights, lit.stack.lights);
   if (!known_strengths) {
     for (auto& mode : unknown_strengths(lit.stack.lights)) lit.lights.errors.push_back(mode);

@@ -198,12 +198,13 @@ Calibration calibrate(const Photographs& given) {
   }
   if (!refined.sample_believed) {
     calibration.remarks.push_back(
-        "What lies beside the spheres is shaded as no matte sample is under the lights that the "
-        "spheres see, and was not asked for them: say where the sample is (\"sample_box_px\" or "
-        "\"mask\" in capture.json), or expose more.");
+        "What lies beside the spheres is not shaded as a matte sample is under the lights that the "
+        "spheres see, so that the lights were read off the spheres alone: say where the sample is "
+        "(\"sample_box_px\" or \"mask\" in capture.json), or expose more.");
   }
   calibration.errors = refined.errors;
   calibration.strengths_measured = refined.strengths_measured;
+  calibration.sample_believed = refined.sample_believed;
   calibration.disagreement = refined.disagreement;
   for (const auto& remarks :
        {remarks_on_spheres(linear, calibration), remarks_on_curve(linear, calibration),

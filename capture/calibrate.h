@@ -34,6 +34,7 @@ struct Calibration {
   bool linear = true;              // how the pictures were read
   bool encoding_known = true;      // false: `linear` is an assumption; see settle_encoding
   bool strengths_measured = true;  // false: all 1; see balance_strengths
+  bool sample_believed = true;     // false: it is not shaded as a matte one is; see refined_lights
   Eigen::Vector3d ambient_light{0.0, 0.0, 0.0};  // what the sample shows without a lamp
   std::vector<LightErrorMode> errors;            // how the lights may be wrong together
   std::vector<std::string> remarks;              // plain sentences

@@ -235,6 +235,7 @@ std::optional<Circle> disc_of(const Mask& mask) {
       sum += Eigen::Vector2d(col + 0.5, row + 0.5);
     }
   }
+  if (count == 0.0) return std::nullopt;
   Circle disc;
   disc.center = sum / count;
   disc.radius = std::sqrt(count / std::numbers::pi);

@@ -28,8 +28,8 @@ struct CircleSearch {
 /// Circles that the edges of `picture` may belong to, the best supported first.
 ///
 /// Every edge pixel votes for the centres that lie along its gradient (Hough), on a copy of the
-/// reduced copy of the picture. Edges are judged against their surroundings, so that a
-/// faint outline on a plain table counts as much as a bold one beside a print.
+/// picture reduced to `longest_side`. Edges are judged against their surroundings, so that a faint
+/// outline on a plain table counts as much as a bold one beside a print.
 ///
 /// Source: Ballard, Pattern Recognition 13 (1981); Kimme, Ballard, Sklansky, CACM 18 (1975).
 std::vector<Circle> circle_candidates(const Grid<float>& picture, const CircleSearch& search = {});

@@ -16,17 +16,16 @@ namespace hada {
 namespace {
 
 constexpr int radii = 240;
+constexpr int octants = 8;
 
 // The step across the circle on each radius: the mean over `reach` px outside minus that inside.
-// Radii that leave the picture are left out, and those of one octant where asked.
-constexpr int octants = 8;
+// Radii that leave the picture are left out.
 std::vector<double> steps_across(const Grid<float>& picture, const Eigen::Vector2d& center,
-                                 double radius, double reach, int without_octant = -1) {
+                                 double radius, double reach) {
   std::vector<double> steps;
   steps.reserve(radii);
   constexpr int samples = 3;
   for (int i = 0; i < radii; ++i) {
-    if (octants * i / radii == without_octant) continue;
     const double angle = 2.0 * std::numbers::pi * (i + 0.5) / radii;
     const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d far = center + (radius + reach) * way;
@@ -198,10 +197,10 @@ std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& st
   const Eigen::Vector3d place(center.x(), center.y(), radius_px.value_or(best->radius));
   const double sign = best->height > 0.0 ? 1.0 : -1.0;
   const int axes = radius_px ? 2 : 3;
-  const auto settled = [&](Eigen::Vector3d at, double first_stride, int without_octant) {
+  const auto settled = [&](Eigen::Vector3d at, double first_stride) {
     const auto score = [&](const Eigen::Vector3d& p) {
-      return sign * coherence(steps_across(picture, p.head<2>(), p[2], reach, without_octant),
-                              std::abs(best->height));
+      return sign *
+             coherence(steps_across(picture, p.head<2>(), p[2], reach), std::abs(best->height));
     };
     // Compass search: the score is flat-topped and bounded, and only its place matters.
     double now = score(at);
@@ -224,7 +223,7 @@ std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& st
     }
     return std::pair(at, now);
   };
-  const auto [found, coherent] = settled(place, 0.5 * reach, -1);
+  const auto [found, coherent] = settled(place, 0.5 * reach);
   const Circle rough{found.head<2>(), found[2], std::clamp(coherent, 0.0, 1.0), 0.0, 0.0};
   const double window = 1.5 * reach;
   const bool known = radius_px.has_value();
@@ -241,6 +240,7 @@ std::optional<Circle> faint_outline(const Grid<float>& picture, const Circle& st
   double squares = 0.0;
   for (const auto& other : without) squares += (other - mean).squaredNorm();
   outline.sigma = std::sqrt((octants - 1.0) / octants * squares / axes);
+  if (outline.sigma == 0.0) outline.sigma = reach;  // no rim: the coherent step is all there is
   return outline;
 }
 

@@ -1,6 +1,7 @@
 #include "capture/lamp_colours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double most_pixels = 20000.0;
 constexpr std::size_t fewest_pixels = 100;
-constexpr float least_value = 0.02f;  // of the largest: darker pixels are noise, or lie in shadow
+constexpr float least_value = 0.02f;  // of the brightest: darker ones are noise, or in shadow
 
 // The matte sphere that sees the most lights, the first of equals; null if there is none.
 const SphereReading* best_matte(const std::vector<SphereReading>& readings) {
@@ -51,14 +52,32 @@ std::vector<Eigen::Vector3d> colours_on(const SphereReading& reading) {
   return colours;
 }
 
-// Logarithms of green and blue over red at a pixel, in each picture; empty if any is dark.
-std::vector<Eigen::Vector2d> colour_ratios(const std::vector<Image>& images, int row, int col) {
+using Pixel = std::array<float, 3>;
+
+// What one picture shows at some pixels, and the brightest value of them.
+struct Shown {
+  std::vector<Pixel> pixels;
+  float brightest = 0.0f;
+};
+
+Shown shown_at(const std::vector<std::pair<int, int>>& places, const Image& image) {
+  Shown shown;
+  for (const auto& [row, col] : places) {
+    const Pixel pixel{image.planes[0](row, col), image.planes[1](row, col),
+                      image.planes[2](row, col)};
+    shown.brightest = std::max(shown.brightest, *std::max_element(pixel.begin(), pixel.end()));
+    shown.pixels.push_back(pixel);
+  }
+  image.let_go();
+  return shown;
+}
+
+// Logarithms of green and blue over red at a place, in each picture; empty if any is dark.
+std::vector<Eigen::Vector2d> colour_ratios(const std::vector<Shown>& pictures, std::size_t place) {
   std::vector<Eigen::Vector2d> ratios;
-  for (const Image& image : images) {
-    const float red = image.planes[0](row, col);
-    const float green = image.planes[1](row, col);
-    const float blue = image.planes[2](row, col);
-    if (std::min({red, green, blue}) < least_value) return {};
+  for (const Shown& shown : pictures) {
+    const auto& [red, green, blue] = shown.pixels[place];
+    if (!(std::min({red, green, blue}) > least_value * shown.brightest)) return {};
     ratios.emplace_back(std::log(double(green) / red), std::log(double(blue) / red));
   }
   return ratios;
@@ -89,28 +108,34 @@ void scale_to_grey(std::vector<Eigen::Vector3d>& colours) {
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> lamp_colours(const std::vector<Image>& images, const Mask& counts) {
-  std::vector<Eigen::Vector3d> colours(images.size(), Eigen::Vector3d::Ones());
-  if (images.front().channels() < 3) return colours;
+std::optional<std::vector<Eigen::Vector3d>> lamp_colours(const std::vector<Image>& images,
+                                                         const Mask& counts) {
+  if (images.front().channels() < 3) return std::nullopt;
   const int stride = std::max(1, int(std::sqrt(double(counts.size()) / most_pixels)));
-  std::vector<std::vector<double>> green(images.size()), blue(images.size());
+  std::vector<std::pair<int, int>> places;
   for (int row = stride / 2; row < counts.rows(); row += stride) {
     for (int col = stride / 2; col < counts.cols(); col += stride) {
-      if (!counts(row, col)) continue;
-      const std::vector<Eigen::Vector2d> ratios = colour_ratios(images, row, col);
-      if (ratios.empty()) continue;
-      Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-      for (const Eigen::Vector2d& ratio : ratios) mean += ratio / double(ratios.size());
-      for (std::size_t k = 0; k < ratios.size(); ++k) {
-        green[k].push_back(ratios[k].x() - mean.x());
-        blue[k].push_back(ratios[k].y() - mean.y());
-      }
+      if (counts(row, col)) places.emplace_back(row, col);
     }
   }
-  for (const Image& image : images) image.let_go();
-  if (green[0].size() < fewest_pixels) return colours;
-  for (std::size_t k = 0; k < colours.size(); ++k) {
-    colours[k] = {1.0, std::exp(median(std::move(green[k]))), std::exp(median(std::move(blue[k])))};
+  std::vector<Shown> pictures;
+  for (const Image& image : images) pictures.push_back(shown_at(places, image));
+  std::vector<std::vector<double>> green(images.size()), blue(images.size());
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    const std::vector<Eigen::Vector2d> ratios = colour_ratios(pictures, place);
+    if (ratios.empty()) continue;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& ratio : ratios) mean += ratio / double(ratios.size());
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      green[k].push_back(ratios[k].x() - mean.x());
+      blue[k].push_back(ratios[k].y() - mean.y());
+    }
+  }
+  if (green[0].size() < fewest_pixels) return std::nullopt;
+  std::vector<Eigen::Vector3d> colours;
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    colours.emplace_back(1.0, std::exp(median(std::move(green[k]))),
+                         std::exp(median(std::move(blue[k]))));
   }
   scale_to_grey(colours);
   return colours;
@@ -118,12 +143,14 @@ std::vector<Eigen::Vector3d> lamp_colours(const std::vector<Image>& images, cons
 
 std::vector<Eigen::Vector3d> lamp_colours(const Photographs& linear,
                                           const std::vector<SphereReading>& readings) {
-  const bool grey = linear.images.front().channels() < 3;
-  const SphereReading* matte = best_matte(readings);
-  if (grey || !matte) return lamp_colours(linear.images, frame_of(linear, readings));
-  std::vector<Eigen::Vector3d> colours = colours_on(*matte);
-  scale_to_grey(colours);
-  return colours;
+  const std::vector<Eigen::Vector3d> white(linear.images.size(), Eigen::Vector3d::Ones());
+  if (linear.images.front().channels() < 3) return white;
+  if (const SphereReading* matte = best_matte(readings)) {
+    std::vector<Eigen::Vector3d> colours = colours_on(*matte);
+    scale_to_grey(colours);
+    return colours;
+  }
+  return lamp_colours(linear.images, frame_of(linear, readings)).value_or(white);
 }
 
 std::array<float, 3> grey_weight(const Eigen::Vector3d& lamp_colour) {

@@ -153,6 +153,18 @@ double direction_sigma(const Eigen::Matrix3d& covariance, const Eigen::Vector3d&
   return std::sqrt(std::max(0.0, 0.5 * across)) / length;
 }
 
+// Whether the strengths of all lights are still told without the sample, or by nobody.
+bool may_do_without_sample(const Evidence& all, const std::vector<SphereReading>& readings,
+                           std::size_t lights) {
+  for (std::size_t k = 0; k < lights && !all.matte.empty(); ++k) {
+    const bool told = std::any_of(readings.begin(), readings.end(), [&](const auto& reading) {
+      return reading.sphere.kind == SphereKind::matte && is_seen(reading.lights[k]);
+    });
+    if (!told) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 RefinedLights refined_lights(const Photographs& linear, const std::vector<SphereReading>& readings,
@@ -170,7 +182,8 @@ RefinedLights refined_lights(const Photographs& linear, const std::vector<Sphere
   auto [state, model] = settled_on(all);
   RefinedLights refined;
   // Who says that lamps are near wants the sample asked: without it nothing tells how near.
-  const bool may_leave_out = !state.sheet.empty() && linear.file.lamps != "near";
+  const bool may_leave_out = !state.sheet.empty() && linear.file.lamps != "near" &&
+                             may_do_without_sample(all, readings, lights.size());
   if (may_leave_out && strain(state, readings) > most_strain) {
     refined.sample_believed = false;
     all = evidence(linear, readings, colours, false);

@@ -55,9 +55,15 @@ Eigen::VectorXd best_fitting(const Eigen::MatrixXd& values, const Eigen::MatrixX
 bool balance_strengths(LightStack& stack) {
   const auto lights = Eigen::Index(stack.lights.size());
   const Mask lit = lit_in_all(stack);
-  const auto colours = lamp_colours(stack.images, lit);
-  for (std::size_t k = 0; k < colours.size(); ++k) {
-    stack.lights[k].strength = grey_of(stack.lights[k].strength) * colours[k];
+  std::vector<Eigen::Vector3d> colours;
+  for (const Light& light : stack.lights) {
+    colours.push_back(light.strength / grey_of(light.strength));
+  }
+  if (auto told = lamp_colours(stack.images, lit)) {
+    colours = *std::move(told);
+    for (std::size_t k = 0; k < colours.size(); ++k) {
+      stack.lights[k].strength = grey_of(stack.lights[k].strength) * colours[k];
+    }
   }
   const Eigen::MatrixXd values = lit_values(stack, lit, colours);
   if (lights < 5 || values.rows() < 100) return false;

@@ -93,6 +93,7 @@ TEST(DiscOf, IsTheCircleOfARoundMaskOnly) {
   EXPECT_LT((disc->center - Eigen::Vector2d(52, 41)).norm(), 0.05);
   EXPECT_NEAR(disc->radius, 30.0, 0.05);
   EXPECT_FALSE(disc_of(square));  // its corners, 6 % of it
+  EXPECT_FALSE(disc_of(Mask(80, 100, 0)));
   EXPECT_FALSE(disc_of(Mask()));
 }
 

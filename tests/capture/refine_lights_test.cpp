@@ -94,7 +94,7 @@ TEST(RefinedLights, DoNotAskAWallThatLampsLightUnevenly) {
   EXPECT_FALSE(found.strengths_measured);
   EXPECT_TRUE(
       std::any_of(found.remarks.begin(), found.remarks.end(), [](const std::string& remark) {
-        return remark.find("shaded as no matte sample is") != std::string::npos;
+        return remark.find("not shaded as a matte sample is") != std::string::npos;
       }));
 }
 
